@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/core/io/tum_sequence.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "silt/core/atomic_file.h"
+#include "silt/core/error.h"
+#include "silt/core/io/image_file.h"
+
+namespace silt {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void FailAt(const fs::path& file, int line, const std::string& what) {
+  throw Error(file.string() + ":" + std::to_string(line) + ": " + what);
+}
+
+std::string FrameName(std::size_t index) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%06zu.png", index);
+  return name;
+}
+
+struct ListLine {
+  int number;
+  std::vector<std::string> words;
+};
+
+std::vector<ListLine> ReadList(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw Error(file.string() + ": no such list; a TUM sequence needs it");
+  std::vector<ListLine> lines;
+  std::string text;
+  for (int number = 1; std::getline(in, text); ++number) {
+    std::istringstream words(text);
+    ListLine line{number, {}};
+    for (std::string word; words >> word;) line.words.push_back(word);
+    if (!line.words.empty() && line.words[0][0] != '#') lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+double ParseNumber(const std::string& word, const fs::path& file, int line) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (*end != '\0' || !std::isfinite(value)) FailAt(file, line, "'" + word + "' is not a number");
+  return value;
+}
+
+std::vector<TumEntry> ReadAssociations(const fs::path& folder, const fs::path& file) {
+  std::vector<TumEntry> entries;
+  for (const ListLine& line : ReadList(file)) {
+    if (line.words.size() != 4) FailAt(file, line.number, "expected: time rgb time depth");
+    entries.push_back({ParseNumber(line.words[0], file, line.number), folder / line.words[1],
+                       folder / line.words[3]});
+  }
+  return entries;
+}
+
+struct StampedFile {
+  double time_s;
+  fs::path file;
+};
+
+std::vector<StampedFile> ReadStampedFiles(const fs::path& folder, const fs::path& list) {
+  std::vector<StampedFile> files;
+  for (const ListLine& line : ReadList(list)) {
+    if (line.words.size() != 2) FailAt(list, line.number, "expected: time file");
+    files.push_back({ParseNumber(line.words[0], list, line.number), folder / line.words[1]});
+  }
+  return files;
+}
+
+// The nearest depth image in time for each colour image; none beyond the tolerance.
+std::vector<TumEntry> Associate(const std::vector<StampedFile>& colors,
+                                const std::vector<StampedFile>& depths, double tolerance_s) {
+  std::vector<TumEntry> entries;
+  for (const StampedFile& color : colors) {
+    TumEntry entry{color.time_s, color.file, {}};
+    double nearest_s = tolerance_s;
+    for (const StampedFile& depth : depths) {
+      if (std::abs(depth.time_s - color.time_s) > nearest_s) continue;
+      nearest_s = std::abs(depth.time_s - color.time_s);
+      entry.depth = depth.file;
+    }
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+std::vector<TumEntry> ReadEntries(const fs::path& folder, const TumSequenceOptions& options) {
+  const fs::path associations = folder / "associations.txt";
+  if (fs::exists(associations)) return ReadAssociations(folder, associations);
+  return Associate(ReadStampedFiles(folder, folder / "rgb.txt"),
+                   ReadStampedFiles(folder, folder / "depth.txt"), options.association_tolerance_s);
+}
+
+PinholeCamera ReadCamera(const fs::path& file) {
+  std::vector<ListLine> lines;
+  if (fs::exists(file)) lines = ReadList(file);
+  if (lines.size() != 1 || lines[0].words.size() != 6) {
+    throw Error(file.string() + ": expected one line 'fx fy cx cy width height'");
+  }
+  double v[6];
+  for (int i = 0; i < 6; ++i) v[i] = ParseNumber(lines[0].words[i], file, lines[0].number);
+  if (v[0] <= 0 || v[1] <= 0) FailAt(file, lines[0].number, "fx and fy must be positive");
+  return {v[0], v[1], v[2], v[3], int(v[4]), int(v[5])};
+}
+
+}  // namespace
+
+TumSequenceWriter::TumSequenceWriter(fs::path folder, const PinholeCamera& camera)
+    : folder_(std::move(folder)), camera_(camera) {}
+
+void TumSequenceWriter::Write(const Frame& frame, const SE3d& world_from_camera) {
+  const std::string name = FrameName(ground_truth_.size());
+  WriteRgb(folder_ / "rgb" / name, frame.rgb);
+  WriteDepth(folder_ / "depth" / name, frame.depth_m);
+  ground_truth_.push_back({frame.time_s, world_from_camera});
+}
+
+void TumSequenceWriter::Finish() {
+  std::string rgb = "# time_s file\n", depth = rgb, both = "# time_s rgb time_s depth\n";
+  for (std::size_t i = 0; i < ground_truth_.size(); ++i) {
+    char time[32];
+    std::snprintf(time, sizeof time, "%.9f", ground_truth_[i].time_s);
+    const std::string rgb_line = std::string(time) + " rgb/" + FrameName(i);
+    const std::string depth_line = std::string(time) + " depth/" + FrameName(i);
+    rgb += rgb_line + "\n";
+    depth += depth_line + "\n";
+    both += rgb_line + " " + depth_line + "\n";
+  }
+  char camera[256];
+  std::snprintf(camera, sizeof camera, "# fx fy cx cy width height\n%.9g %.9g %.9g %.9g %d %d\n",
+                camera_.fx, camera_.fy, camera_.cx, camera_.cy, camera_.width, camera_.height);
+  WriteFileAtomically(folder_ / "camera.txt", camera);
+  WriteFileAtomically(folder_ / "rgb.txt", rgb);
+  WriteFileAtomically(folder_ / "depth.txt", depth);
+  WriteFileAtomically(folder_ / "associations.txt", both);
+  WriteTumTrajectory(folder_ / "groundtruth.txt", ground_truth_);
+}
+
+TumSequence::TumSequence(fs::path folder, const TumSequenceOptions& options,
+                         const PinholeCamera& camera)
+    : options_(options), camera_(camera) {
+  SILT_CHECK(options.take_every >= 1);
+  if (!fs::is_directory(folder)) throw Error(folder.string() + ": no such sequence folder");
+  if (camera_.width == 0) camera_ = ReadCamera(folder / "camera.txt");
+  const std::vector<TumEntry> all = ReadEntries(folder, options);
+  for (std::size_t i = 0; i < all.size(); i += std::size_t(options.take_every)) {
+    entries_.push_back(all[i]);
+  }
+  if (entries_.empty()) throw Error(folder.string() + ": the sequence lists no image");
+}
+
+std::optional<Frame> TumSequence::Next() {
+  if (next_ == entries_.size()) return std::nullopt;
+  const TumEntry& entry = entries_[next_++];
+  Frame frame{entry.time_s, ReadRgb(entry.rgb), {}};
+  if (!entry.depth.empty()) frame.depth_m = ReadDepth(entry.depth, options_.depth_per_metre);
+  const auto fits = [&](const auto& image) {
+    return image.width() == camera_.width && image.height() == camera_.height;
+  };
+  if (!fits(frame.rgb)) throw Error(entry.rgb.string() + ": size differs from the camera's");
+  if (!frame.depth_m.empty() && !fits(frame.depth_m)) {
+    throw Error(entry.depth.string() + ": size differs from the camera's");
+  }
+  return frame;
+}
+
+}  // namespace silt
