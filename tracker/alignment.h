@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "silt/core/se3.h"
+#include "silt/tracker/backend.h"
+#include "silt/tracker/normal_equations.h"
+#include "silt/tracker/options.h"
+
+namespace silt::tracker {
+
+// One solve of Algorithm 1.
+struct AlignmentStep {
+  int level = 0;               // as in the paper: 1 is the finest
+  int iteration = 0;           // from 1 at each level
+  double damping = 0;          // α of the solve
+  double update_norm = 0;      // |dξ|
+  PhotometricCost cost;        // at the pose before the step
+  PhotometricCost trial_cost;  // at the pose that the step proposes
+  bool accepted = false;
+};
+
+// One level's share, in the order of the run: coarsest first.
+struct AlignmentLevel {
+  int level = 0;  // as in the paper: 1 is the finest
+  int width = 0, height = 0;
+  PhotometricCost initial_cost, final_cost;
+  int iterations = 0;
+  bool converged = false;  // |dξ| < ε came before the last iteration
+};
+
+struct AlignmentTimes {
+  double residual_ms = 0;  // warps and residuals of trial poses
+  double jacobian_ms = 0;  // Jacobians, with the residuals that go with them
+  double update_ms = 0;    // solves and pose updates
+};
+
+struct AlignmentResult {
+  bool ok = false;
+  std::string failure;          // one line where not ok
+  SE3d current_from_reference;  // finite always; the initial pose where not ok
+  std::vector<AlignmentLevel> levels;
+  std::vector<AlignmentStep> log;  // where options.keep_log
+  AlignmentTimes times;
+
+  // ½Σr² at the finest level that was run.
+  PhotometricCost final_cost() const {
+    return levels.empty() ? PhotometricCost{} : levels.back().final_cost;
+  }
+};
+
+// Algorithm 1: Levenberg-Marquardt from the coarsest level to the finest. Fails, without an
+// exception, where the images share too few pixels or the equations have no finite solution.
+AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d& initial,
+                      const AlignmentOptions& options);
+
+}  // namespace silt::tracker

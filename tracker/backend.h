@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "silt/core/camera.h"
+#include "silt/core/image.h"
+#include "silt/core/se3.h"
+#include "silt/tracker/normal_equations.h"
+
+namespace silt::tracker {
+
+struct PyramidLevel {
+  PinholeCamera camera;
+  int measured_pixels = 0;  // with a depth; a level may have none, or be empty
+};
+
+// What a backend keeps of a keyframe: its intensity and depth at every level, level 0 the finest.
+// Immutable. Each backend derives its own and takes no other's.
+class ReferencePyramid {
+ public:
+  virtual ~ReferencePyramid() = default;
+  const std::vector<PyramidLevel>& levels() const { return levels_; }
+
+ protected:
+  std::vector<PyramidLevel> levels_;
+};
+
+// The same of the current image, which needs no depth.
+class CurrentPyramid {
+ public:
+  virtual ~CurrentPyramid() = default;
+};
+
+// The two images of one alignment.
+struct ImagePair {
+  const ReferencePyramid& reference;
+  const CurrentPyramid& current;
+};
+
+// Reductions over pixels; knows no vision beyond tracker/kernel. Every sum has the same bits in
+// every run and for any number of threads, and both reductions give the same cost.
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual std::string name() const = 0;
+
+  // Intensity in [0, 1] and depth in metres, both of the camera's size.
+  virtual std::unique_ptr<ReferencePyramid> MakeReference(const Image<float>& intensity,
+                                                          const Image<float>& depth_m,
+                                                          const PinholeCamera& camera,
+                                                          int levels) const = 0;
+  virtual std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>& intensity,
+                                                      int levels) const = 0;
+
+  // Residuals alone: warp, eq. 2, cost.
+  virtual PhotometricCost Cost(const ImagePair& pair, int level,
+                               const SE3d& current_from_reference) const = 0;
+  // Residuals and Jacobians: eqs. 13–17.
+  virtual NormalEquations Linearize(const ImagePair& pair, int level,
+                                    const SE3d& current_from_reference) const = 0;
+};
+
+}  // namespace silt::tracker

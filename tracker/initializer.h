@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "silt/core/camera.h"
+#include "silt/core/frame.h"
+#include "silt/core/image.h"
+#include "silt/core/se3.h"
+#include "silt/tracker/keyframe.h"
+
+namespace silt::tracker {
+
+// The images of one initial estimate (§3.2).
+struct InitializerInput {
+  const Keyframe& keyframe;       // what is computed of it may be kept under keyframe.id
+  const Frame& current;           // its depth, if any, is not to be used
+  const Image<float>& intensity;  // of current.rgb, in [0, 1]
+  const PinholeCamera& camera;    // of both
+  std::uint64_t seed = 0;         // of random draws, together with frame_index
+  int frame_index = 0;            // of the current frame, from 0
+};
+
+struct InitialEstimate {
+  std::optional<SE3d> current_from_keyframe;  // nothing where there is no trustworthy estimate
+  int matches = 0;                            // that passed the checks of §3.2
+  int inliers = 0;                            // of them, of the pose
+  double milliseconds = 0;
+};
+
+// Where the refinement starts from. One object serves one tracker, so keyframe ids are its own.
+class Initializer {
+ public:
+  virtual ~Initializer() = default;
+  // A pure function of the input, however often and in whatever order it is called.
+  virtual InitialEstimate Estimate(const InitializerInput& input) = 0;
+};
+
+}  // namespace silt::tracker

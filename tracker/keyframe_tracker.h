@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "silt/core/camera.h"
+#include "silt/core/frame.h"
+#include "silt/core/se3.h"
+#include "silt/tracker/alignment.h"
+#include "silt/tracker/backend.h"
+#include "silt/tracker/initializer.h"
+#include "silt/tracker/keyframe.h"
+#include "silt/tracker/options.h"
+
+namespace silt::tracker {
+
+enum class TrackingStatus { kTracked, kLost };
+
+// The stages of §4.1, in milliseconds; total_ms also holds what no stage claims.
+struct StageTimes {
+  double pyramid_ms = 0;  // gray image and pyramids of the current frame, and of a new keyframe
+  double initial_estimate_ms = 0;
+  double residual_ms = 0;  // warped image and residual
+  double jacobian_ms = 0;
+  double update_ms = 0;  // solve and pose update
+  double total_ms = 0;
+};
+
+struct TrackedFrame {
+  double time_s = 0;
+  TrackingStatus status = TrackingStatus::kLost;
+  std::string message;        // one line where lost, or where a frame could not become a keyframe
+  SE3d world_from_camera;     // the last tracked pose where lost
+  int keyframe_id = -1;       // that the pose was estimated against; of the first frame, its own
+  bool new_keyframe = false;  // this frame has become a keyframe
+  InitialEstimate initial;
+  AlignmentResult alignment;
+  StageTimes times;
+};
+
+// §3: the camera's pose, frame by frame, against the nearest of the keyframes collected so far.
+class KeyframeTracker {
+ public:
+  // No initializer: each alignment starts from the last pose. Throws silt::Error for invalid
+  // options.
+  KeyframeTracker(const PinholeCamera& camera, const TrackerOptions& options,
+                  std::unique_ptr<const Backend> backend, std::unique_ptr<Initializer> initializer,
+                  const SE3d& first_world_from_camera = {});
+  ~KeyframeTracker();
+
+  // The next frame; the first one with a depth becomes the first keyframe. Throws silt::Error where
+  // an image is not of the camera's size.
+  TrackedFrame Track(const Frame& frame);
+
+  // In the order of creation: keyframes()[i].id == i.
+  const std::vector<Keyframe>& keyframes() const { return keyframes_; }
+
+ private:
+  void Refine(const Image<float>& intensity, const Frame& frame, TrackedFrame* result);
+  void MakeKeyframe(const Frame& frame, Image<float> intensity, TrackedFrame* result);
+
+  PinholeCamera camera_;
+  TrackerOptions options_;
+  std::unique_ptr<const Backend> backend_;
+  std::unique_ptr<Initializer> initializer_;
+  std::vector<Keyframe> keyframes_;
+  std::vector<std::unique_ptr<ReferencePyramid>> pyramids_;  // of keyframes_
+  SE3d world_from_camera_;                                   // of the last tracked frame
+  int frame_index_ = 0;
+};
+
+}  // namespace silt::tracker

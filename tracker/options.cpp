@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/tracker/options.h"
+
+#include <string>
+
+#include "silt/core/error.h"
+
+namespace silt::tracker {
+namespace {
+
+// Fails for NaN as well.
+void CheckRange(const char* option, double value, double low, double high) {
+  if (value >= low && value <= high) return;
+  const auto text = [](double number) {
+    std::string digits = std::to_string(number);
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+    return digits;
+  };
+  throw Error(std::string(option) + " is " + text(value) + "; give a number from " + text(low) +
+              " to " + text(high));
+}
+
+}  // namespace
+
+void AlignmentOptions::Validate() const {
+  CheckRange("alignment.max_iterations (number of pyramid levels)", levels(), 1, 12);
+  for (int iterations : max_iterations) {
+    CheckRange("alignment.max_iterations", iterations, 0, 100000);
+  }
+  CheckRange("alignment.initial_damping", initial_damping, 0, 1e12);
+  CheckRange("alignment.damping_factor", damping_factor, 1, 1e6);
+  CheckRange("alignment.min_update_norm", min_update_norm, 0, 1);
+  CheckRange("alignment.min_overlap", min_overlap, 0, 1);
+}
+
+void KeyframeOptions::Validate() const {
+  CheckRange("keyframes.max_distance_m", max_distance_m, 0, 1e6);
+  CheckRange("keyframes.max_rotation_deg", max_rotation_deg, 0, 540);
+  CheckRange("keyframes.min_measured_depth", min_measured_depth, 0, 1);
+}
+
+void TrackerOptions::Validate() const {
+  alignment.Validate();
+  keyframes.Validate();
+  CheckRange("max_unexplained_variance", max_unexplained_variance, 0, 1e6);
+}
+
+TrackerOptions PaperPreset() { return {}; }
+
+}  // namespace silt::tracker

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace silt::tracker {
+
+// Algorithm 1. Every Validate() throws silt::Error naming the option, its value and its range.
+struct AlignmentOptions {
+  // Solves per pyramid level at most, rejected ones included, from the finest level (the paper's
+  // level 1) to the coarsest. One entry: no pyramid. 0: the level is skipped.
+  std::vector<int> max_iterations = {2, 5, 20, 20};
+  double initial_damping = 1e-3;  // α at the start of each level
+  double damping_factor = 10;     // α is divided by it after a success, multiplied after a failure
+  double min_update_norm = 1e-6;  // ε: a smaller |dξ| (radians and metres) ends the level
+  double min_overlap = 0.1;       // of the measured pixels; a pose that shows fewer has no cost
+  bool keep_log = false;          // one AlignmentStep per solve
+
+  int levels() const { return int(max_iterations.size()); }
+  void Validate() const;
+};
+
+// §3.1.
+struct KeyframeOptions {
+  double max_distance_m = 0.13;     // from every keyframe; beyond it: a new one
+  double max_rotation_deg = 30;     // |rx| + |ry| + |rz| since the last created keyframe
+  double min_measured_depth = 0.1;  // of the pixels; a frame with less cannot be a keyframe
+
+  void Validate() const;
+};
+
+struct TrackerOptions {
+  AlignmentOptions alignment;
+  KeyframeOptions keyframes;
+  // Lost where the residuals keep more than this share of the keyframe's variance of intensity:
+  // 0 for a perfect match, 2 for two unrelated images.
+  double max_unexplained_variance = 0.6;
+  std::uint64_t seed = 0;  // of the initializer's random draws
+
+  void Validate() const;
+};
+
+// The paper to the letter.
+TrackerOptions PaperPreset();
+
+}  // namespace silt::tracker
