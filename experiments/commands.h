@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace silt::experiments {
+
+// What every command may want to know of how it was called. Outlives the commands.
+struct Invocation {
+  std::string command_line;
+};
+
+// Each adds one subcommand, which runs when the command line has been parsed and throws silt::Error
+// where it fails.
+void AddEvaluateCommand(CLI::App& program, const Invocation& invocation);
+void AddInfoCommand(CLI::App& program, const Invocation& invocation);
+
+}  // namespace silt::experiments

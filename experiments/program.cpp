@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/experiments/program.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <string>
+
+#include "silt/experiments/build_info.h"
+#include "silt/experiments/commands.h"
+#include "silt/experiments/interrupt.h"
+
+namespace silt::experiments {
+namespace {
+
+int Fail(std::string message, int code) {
+  // What a library put into several lines is still one failure.
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::fprintf(stderr, "silt: %s\n", message.c_str());
+  return code;
+}
+
+// As typed; an argument with spaces or quotes is put into single quotes.
+std::string CommandLine(int argc, const char* const* argv) {
+  std::string line = "silt";
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool plain = !word.empty() && word.find_first_of(" \t\n'\"\\*?$&;|<>()") == word.npos;
+    line += " ";
+    if (plain) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+// CLI11 would only say that a command is required.
+void RequireKnownCommand(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2) throw CLI::RequiredError("a command");
+  const std::string word = argv[1];
+  const bool help = word == "-h" || word == "--help" || word == "--version";
+  const auto named = [&](const CLI::App* command) { return command->get_name() == word; };
+  if (help || !app.get_subcommands(named).empty()) return;
+  throw CLI::ExtrasError({"'" + word + "' (no such command)"});
+}
+
+void AddCommands(CLI::App& app, const Invocation& invocation) {
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("silt ") + kVersion + " (" + Commit() + ")");
+  app.footer(
+      "Each command tells more with --help. A first try:\n"
+      "  silt experiment accuracy --out results/accuracy");
+  AddEvaluateCommand(app, invocation);
+  AddInfoCommand(app, invocation);
+}
+
+}  // namespace
+
+int RunProgram(int argc, const char* const* argv) {
+  // stdout is for results.
+  spdlog::set_default_logger(spdlog::stderr_color_mt("silt"));
+  spdlog::set_pattern("silt: %^%v%$");
+  CatchInterrupts();
+  const Invocation invocation{CommandLine(argc, argv)};
+  CLI::App app{"silt: simulation in the loop for RGB-D tracking", "silt"};
+  AddCommands(app, invocation);
+  try {
+    RequireKnownCommand(app, argc, argv);
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return Fail(std::string(error.what()) + " (--help tells more)", 2);
+  } catch (const Interrupted&) {
+    return Fail("interrupted; nothing half written is left", 130);
+  } catch (const std::bad_alloc&) {
+    return Fail("out of memory", 1);
+  } catch (const std::exception& error) {
+    return Fail(error.what(), 1);
+  }
+}
+
+}  // namespace silt::experiments

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt_program.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace silt::experiments {
+
+std::string ReadText(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TestFolder::TestFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "silt-test-XXXXXX").string();
+  if (!mkdtemp(pattern.data())) throw std::runtime_error("cannot make " + pattern);
+  path_ = pattern;
+}
+
+TestFolder::~TestFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+ProgramResult RunSilt(const std::string& arguments) {
+  const TestFolder folder;
+  const std::string out = (folder / "out").string(), error = (folder / "error").string();
+  const std::string command = std::string(SILT_PROGRAM) + " " + arguments;
+  // The arguments may redirect stdout themselves.
+  const bool redirected = arguments.find('>') != arguments.npos;
+  const int status =
+      std::system((command + (redirected ? "" : " > " + out) + " 2> " + error).c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(out), ReadText(error)};
+}
+
+}  // namespace silt::experiments

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace silt::experiments {
+
+struct ProgramResult {
+  int exit_code = 0;
+  std::string out, error;
+};
+
+// Runs the built program with these arguments, as typed into a shell.
+ProgramResult RunSilt(const std::string& arguments);
+
+// A folder of the running test's own, empty at the start and gone at the end.
+class TestFolder {
+ public:
+  TestFolder();
+  ~TestFolder();
+  TestFolder(const TestFolder&) = delete;
+  TestFolder& operator=(const TestFolder&) = delete;
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string ReadText(const std::filesystem::path& file);
+
+}  // namespace silt::experiments
