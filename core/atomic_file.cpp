@@ -34,25 +34,48 @@ bool WriteAll(const fs::path& file, std::string_view contents) {
   return (std::fclose(out) == 0) && whole && flushed;
 }
 
+// Why a write failed, as errno tells it.
+std::string Reason() {
+  return errno != 0 ? std::strerror(errno) : "write failed (is the disk full?)";
+}
+
+[[noreturn]] void Fail(const fs::path& file, const std::string& reason) {
+  throw Error(file.string() + ": cannot be written: " + reason);
+}
+
+void MakeFolder(const fs::path& folder) {
+  std::error_code error;
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (error) throw Error(folder.string() + ": cannot make the folder: " + error.message());
+}
+
 }  // namespace
 
 void WriteFileAtomically(const fs::path& file, const std::function<bool(const fs::path&)>& write) {
-  std::error_code error;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  if (error) {
-    throw Error(file.parent_path().string() + ": cannot make the folder: " + error.message());
-  }
-  const fs::path part = TemporaryNameBeside(file);
+  MakeFolder(file.parent_path());
   errno = 0;
+  // A device or a pipe (/dev/null, /dev/stdout) must not be replaced by a file.
+  std::error_code error;
+  if (fs::is_other(file, error)) {
+    if (!write(file)) Fail(file, Reason());
+    return;
+  }
+  const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file) : file;
+  const fs::path part = TemporaryNameBeside(target);
   std::string reason;
-  if (!write(part)) {
-    reason = errno != 0 ? std::strerror(errno) : "write failed (is the disk full?)";
-  } else if (fs::rename(part, file, error); error) {
+  try {
+    if (!write(part)) reason = Reason();
+  } catch (...) {
+    fs::remove(part, error);
+    throw;
+  }
+  if (reason.empty()) {
+    fs::rename(part, target, error);
+    if (!error) return;
     reason = error.message();
   }
-  if (reason.empty()) return;
   fs::remove(part, error);
-  throw Error(file.string() + ": cannot be written: " + reason);
+  Fail(file, reason);
 }
 
 void WriteFileAtomically(const fs::path& file, std::string_view contents) {

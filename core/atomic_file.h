@@ -10,7 +10,8 @@ namespace silt {
 
 // Writes the whole file under a temporary name beside it, then renames: readers see the old file or
 // the new one, never a part, and a failure (a full disk, say) leaves the old one as it was. Makes
-// missing folders. Throws silt::Error with the path and the reason.
+// missing folders, follows links, and writes devices in place. Throws silt::Error with the path and
+// the reason.
 void WriteFileAtomically(const std::filesystem::path& file, std::string_view contents);
 
 // The same for libraries that insist on writing a file themselves: `write` gets the temporary path,

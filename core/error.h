@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace silt {
 
@@ -13,6 +14,10 @@ class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+// Text from a file as a message may show it: in quotes, at most 40 characters of it, the
+// unprintable ones as '?'.
+std::string Quoted(std::string_view text);
 
 namespace error_detail {
 [[noreturn]] void CheckFailed(const char* condition, const char* file, int line);

@@ -38,9 +38,7 @@ class Image {
  public:
   Image() = default;
   Image(int width, int height, T fill = T{})
-      : width_(width), height_(height), values_(std::size_t(width) * std::size_t(height), fill) {
-    SILT_CHECK(width >= 0 && height >= 0);
-  }
+      : width_(width), height_(height), values_(CheckedSize(width, height), fill) {}
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -62,6 +60,10 @@ class Image {
   bool operator==(const Image&) const = default;
 
  private:
+  static std::size_t CheckedSize(int width, int height) {
+    SILT_CHECK(width >= 0 && height >= 0);
+    return std::size_t(width) * std::size_t(height);
+  }
   std::size_t Index(int x, int y) const { return std::size_t(y) * std::size_t(width_) + x; }
 
   int width_ = 0;

@@ -25,7 +25,7 @@ StampedPose ParseLine(const std::string& text, const std::string& name, int line
     if (!(in >> word)) FailAt(name, line, "expected 8 numbers: time tx ty tz qx qy qz qw");
     char* end = nullptr;
     v = std::strtod(word.c_str(), &end);
-    if (*end != '\0' || !std::isfinite(v)) FailAt(name, line, "'" + word + "' is not a number");
+    if (*end != '\0' || !std::isfinite(v)) FailAt(name, line, Quoted(word) + " is not a number");
   }
   std::string rest;
   if (in >> rest) FailAt(name, line, "more than 8 numbers on the line");

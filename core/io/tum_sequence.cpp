@@ -48,7 +48,7 @@ std::vector<ListLine> ReadList(const fs::path& file) {
 double ParseNumber(const std::string& word, const fs::path& file, int line) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  if (*end != '\0' || !std::isfinite(value)) FailAt(file, line, "'" + word + "' is not a number");
+  if (*end != '\0' || !std::isfinite(value)) FailAt(file, line, Quoted(word) + " is not a number");
   return value;
 }
 
