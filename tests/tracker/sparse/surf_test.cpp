@@ -44,6 +44,16 @@ TEST(Surf, FindsASpotAtItsPlaceAndScale) {
   }
 }
 
+TEST(Surf, PutsTheStrongestFirst) {
+  Image<float> image = Spot(90, 120, 4);
+  const Image<float> other = Spot(230, 120, 4);
+  for (std::size_t i = 0; i < image.size(); ++i) image.data()[i] += 0.5f * (other.data()[i] - 0.3f);
+  const auto features = DetectSurf(image);
+  ASSERT_GT(features.size(), 1u);
+  EXPECT_NEAR(features[0].pixel.x, 90, 0.5);
+  EXPECT_NEAR(features[1].pixel.x, 230, 0.5);
+}
+
 TEST(Surf, GivesUnitDescriptorsAndKeepsTheStrongest) {
   const View view = ViewOfPlanes(kIclNuimCamera, {});
   const auto all = DetectSurf(view.intensity);
