@@ -30,6 +30,7 @@ std::vector<double> FrameTimes(double fps, double start_s, double duration_s) {
   if (!bounded(duration_s)) throw Error("the duration must be positive (seconds)");
   const auto first = std::int64_t(std::ceil(start_s * fps - kFrameTolerance));
   const auto end = std::int64_t(std::ceil((start_s + duration_s) * fps - kFrameTolerance));
+  if (end - first > 10'000'000) throw Error("more than ten million frames (fps, duration)");
   std::vector<double> times;
   for (std::int64_t k = first; k < end; ++k) times.push_back(double(k) / fps);
   return times;

@@ -118,10 +118,17 @@ std::vector<Twistd> InnerResiduals(const PoseSpline& spline, const Trajectory& k
   return residuals;
 }
 
+double Size(const Twistd& residual) { return std::max(Norm(residual.omega), Norm(residual.v)); }
+
+// The place of the largest residual.
+std::size_t Worst(const std::vector<Twistd>& residuals) {
+  const auto smaller = [](const Twistd& a, const Twistd& b) { return Size(a) < Size(b); };
+  const auto worst = std::max_element(residuals.begin(), residuals.end(), smaller);
+  return std::size_t(worst - residuals.begin());
+}
+
 double Largest(const std::vector<Twistd>& residuals) {
-  double largest = 0;
-  for (const Twistd& r : residuals) largest = std::max({largest, Norm(r.omega), Norm(r.v)});
-  return largest;
+  return residuals.empty() ? 0 : Size(residuals[Worst(residuals)]);
 }
 
 }  // namespace
@@ -182,9 +189,9 @@ PoseSpline PoseSpline::Through(const Trajectory& keys) {
     residuals = InnerResiduals(spline, keys);
   }
   if (!(Largest(residuals) < 1e-9)) {
-    throw Error(
-        "no spline passes through the key poses: they turn too far from one to the next; "
-        "add keys in between");
+    const double time_s = keys[Worst(residuals) + 1].time_s;
+    throw Error("no spline passes through the key pose at " + std::to_string(time_s) +
+                " s: the camera swings too far there; add keys in between");
   }
   return spline;
 }

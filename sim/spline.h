@@ -58,8 +58,8 @@ class PoseSpline {
   static constexpr double kOvertime_s = 0.1;
 
   // The spline that passes through the keys (at least 2, times increasing) to 1e-9 m and rad: its
-  // control poses are solved for. Throws silt::Error where they cannot be: successive orientations
-  // some 120° apart and swinging back.
+  // control poses are solved for. Throws silt::Error where that fails, which takes keys that swing
+  // to and fro by more than some 50°: the control poses then lie half a turn apart.
   static PoseSpline Through(const Trajectory& keys);
 
   // The spline whose control poses are given. It cuts the corners: a path drawn through key poses
