@@ -59,7 +59,21 @@ class KeyframeTracker {
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
 
  private:
-  void Refine(const Image<float>& intensity, const Frame& frame, TrackedFrame* result);
+  // What the backend and the judgement need of a keyframe.
+  struct Reference {
+    std::unique_ptr<ReferencePyramid> pyramid;
+    double variance = 0;  // of its intensity
+  };
+
+  void CheckFrame(const Frame& frame) const;
+  Image<float> Gray(const Frame& frame, TrackedFrame* result) const;
+  void Localize(const Frame& frame, const Image<float>& intensity, TrackedFrame* result);
+  SE3d InitialPose(const Keyframe& nearest, const Frame& frame, const Image<float>& intensity,
+                   TrackedFrame* result);
+  void Refine(const Keyframe& nearest, const Image<float>& intensity, const SE3d& initial,
+              TrackedFrame* result);
+  void Judge(const Reference& reference, TrackedFrame* result) const;
+  bool NeedsNewKeyframe(const TrackedFrame& result) const;
   void MakeKeyframe(const Frame& frame, Image<float> intensity, TrackedFrame* result);
 
   PinholeCamera camera_;
@@ -67,8 +81,8 @@ class KeyframeTracker {
   std::unique_ptr<const Backend> backend_;
   std::unique_ptr<Initializer> initializer_;
   std::vector<Keyframe> keyframes_;
-  std::vector<std::unique_ptr<ReferencePyramid>> pyramids_;  // of keyframes_
-  SE3d world_from_camera_;                                   // of the last tracked frame
+  std::vector<Reference> references_;  // of keyframes_
+  SE3d world_from_camera_;             // of the last tracked frame
   int frame_index_ = 0;
 };
 

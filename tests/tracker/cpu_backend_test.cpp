@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/tracker/cpu_backend.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "analytic_room.h"
+#include "silt/core/parallel.h"
+#include "silt/tracker/kernel/image_sampler.h"
+#include "silt/tracker/kernel/sums.h"
+
+namespace silt::tracker {
+namespace {
+
+const SE3d kMotion = SE3d::Exp({{0.02, -0.03, 0.05}, {0.05, -0.02, 0.04}});
+
+// A pair of views and the pyramids that a backend makes of them.
+struct Pair {
+  View reference, current;
+  PinholeCamera camera;
+  int levels;
+  std::unique_ptr<Backend> backend = MakeCpuBackend();
+  std::unique_ptr<ReferencePyramid> reference_pyramid =
+      backend->MakeReference(reference.intensity, reference.depth_m, camera, levels);
+  std::unique_ptr<CurrentPyramid> current_pyramid = backend->MakeCurrent(current.intensity, levels);
+
+  NormalEquations Linearize(const SE3d& pose, int level = 0) const {
+    return backend->Linearize({*reference_pyramid, *current_pyramid}, level, pose);
+  }
+  PhotometricCost Cost(const SE3d& pose, int level = 0) const {
+    return backend->Cost({*reference_pyramid, *current_pyramid}, level, pose);
+  }
+};
+
+Pair RoomPair(const PinholeCamera& camera = kSmallCamera, int levels = 4) {
+  return {RenderRoom({}, camera), RenderRoom(kMotion.Inverse(), camera), camera, levels};
+}
+
+PinholeCamera CameraOfSize(int width, int height) {
+  return {100, 100, 0.5 * (width - 1), 0.5 * (height - 1), width, height};
+}
+
+// The kernels in double precision, one pixel after the other.
+kernel::Sums<double> SumInDouble(const Pair& pair, const SE3d& pose) {
+  const kernel::Warp<double> warp(pose, pair.camera);
+  const kernel::ImageSampler<double> sampler{pair.current.intensity.data(), pair.camera.width,
+                                             pair.camera.height};
+  kernel::Sums<double> sums;
+  for (int y = 0; y < pair.camera.height; ++y) {
+    for (int x = 0; x < pair.camera.width; ++x) {
+      sums.Add(kernel::Linearize<double>(
+          warp, sampler,
+          {double(x), double(y), pair.reference.depth_m(x, y), pair.reference.intensity(x, y)}));
+    }
+  }
+  return sums;
+}
+
+class CpuBackendSizes : public testing::TestWithParam<std::pair<int, int>> {};
+
+// Widths that do and do not divide by the lanes of a batch, heights that do not by those of a tile.
+TEST_P(CpuBackendSizes, AgreesWithDoublePrecision) {
+  const Pair pair = RoomPair(CameraOfSize(GetParam().first, GetParam().second), 1);
+  const SE3d pose = SE3d::Exp({{0.004, 0.003, -0.002}, {0.01, -0.01, 0.02}}) * kMotion;
+  const kernel::Sums<double> expected = SumInDouble(pair, pose);
+  const NormalEquations actual = pair.Linearize(pose);
+  // A pixel may change sides of the image's border by rounding.
+  EXPECT_NEAR(double(actual.cost.pixels), expected.cost.count, 2);
+  const double tolerance = 5e-3 / std::max(1.0, expected.cost.count) + 2e-5;
+  EXPECT_NEAR(actual.cost.sum, 0.5 * expected.cost.squares, tolerance * expected.cost.squares);
+  const int diagonal[6] = {0, 6, 11, 15, 18, 20};
+  for (int i = 0; i < 6; ++i) {
+    const double h = expected.hessian[diagonal[i]];
+    EXPECT_NEAR(actual.hessian[diagonal[i]], h, tolerance * h) << i;
+    EXPECT_NEAR(actual.gradient[i], expected.gradient[i],
+                tolerance * std::sqrt(h * expected.cost.squares))
+        << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Odd, CpuBackendSizes,
+                         testing::Values(std::pair{160, 120}, std::pair{161, 119}, std::pair{67, 9},
+                                         std::pair{18, 17}, std::pair{3, 40}));
+
+TEST(CpuBackend, CostAndLinearizationGiveTheSameCost) {
+  const Pair pair = RoomPair();
+  for (int level = 0; level < 4; ++level) {
+    EXPECT_EQ(pair.Cost(kMotion, level), pair.Linearize(kMotion, level).cost) << level;
+  }
+}
+
+// ∂(½Σr²)/∂ξ = Jᵀr, by central differences of the cost itself.
+TEST(CpuBackend, TheGradientIsThatOfTheCost) {
+  const Pair pair = RoomPair();
+  const SE3d pose = SE3d::Exp({{0.01, -0.01, 0.005}, {0.02, 0.01, -0.02}}) * kMotion;
+  const NormalEquations equations = pair.Linearize(pose);
+  for (int i = 0; i < 6; ++i) {
+    const double step = 1e-3;
+    const auto cost_at = [&](double s) {
+      double xi[6] = {};
+      xi[i] = s;
+      return pair.Cost(SE3d::Exp({{xi[0], xi[1], xi[2]}, {xi[3], xi[4], xi[5]}}) * pose);
+    };
+    const PhotometricCost up = cost_at(step), down = cost_at(-step);
+    // Pixels come and go at the border: compare what a pixel costs on average.
+    const double numeric = (up.mean() - down.mean()) / (2 * step);
+    const double analytic = equations.gradient[i] / double(equations.cost.pixels);
+    EXPECT_NEAR(analytic, numeric, 0.05 * std::abs(numeric) + 2e-4) << i;
+  }
+}
+
+TEST(CpuBackend, TheBitsDoNotDependOnTheNumberOfThreads) {
+  const Pair pair = RoomPair();
+  SetThreadCount(1);
+  const NormalEquations expected = pair.Linearize(kMotion);
+  for (const int threads : {2, 3, 0}) {
+    SetThreadCount(threads);
+    for (int repeat = 0; repeat < 5; ++repeat) EXPECT_EQ(pair.Linearize(kMotion), expected);
+  }
+}
+
+TEST(CpuBackend, TruePoseCostsLessThanOthers) {
+  const Pair pair = RoomPair();
+  const double at_truth = pair.Cost(kMotion).mean();
+  EXPECT_LT(at_truth, 1e-6);
+  EXPECT_GT(pair.Cost(SE3d{}).mean(), 100 * at_truth);
+}
+
+TEST(CpuBackend, PixelsWithoutDepthAreLeftOut) {
+  Pair full = RoomPair(kSmallCamera, 1);
+  View holes = full.reference;
+  const float none[] = {0, -1, std::numeric_limits<float>::quiet_NaN(),
+                        std::numeric_limits<float>::infinity()};
+  for (int i = 0; i < 40 * 60; ++i) holes.depth_m(60 + i % 40, 30 + i / 40) = none[i % 4];
+  const Pair pair{holes, full.current, kSmallCamera, 1};
+  EXPECT_EQ(full.reference_pyramid->levels()[0].measured_pixels, 160 * 120);
+  EXPECT_EQ(pair.reference_pyramid->levels()[0].measured_pixels, 160 * 120 - 40 * 60);
+  EXPECT_EQ(pair.Cost(kMotion).pixels, full.Cost(kMotion).pixels - 40 * 60);
+  EXPECT_TRUE(std::isfinite(pair.Linearize(kMotion).gradient[0]));
+}
+
+TEST(CpuBackend, PixelsOutOfViewOrBehindAreLeftOut) {
+  const Pair pair = RoomPair();
+  EXPECT_EQ(pair.Cost({Quaterniond::Exp({0, 3.1, 0}), {}}).pixels, 0);
+  EXPECT_EQ(pair.Cost({{}, {0, 0, -100}}).pixels, 0);
+  const std::int64_t shifted = pair.Cost({Quaterniond::Exp({0, 0.3, 0}), {}}).pixels;
+  EXPECT_GT(shifted, 0);
+  EXPECT_LT(shifted, 160 * 120 * 3 / 4);
+}
+
+TEST(CpuBackend, NonFinitePosesShowNothing) {
+  const Pair pair = RoomPair();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(pair.Linearize({{}, {nan, 0, 0}}).cost, PhotometricCost{});
+  EXPECT_EQ(pair.Linearize({{}, {0, 0, std::numeric_limits<double>::infinity()}}).cost.pixels, 0);
+}
+
+// Levels of one pixel and of none.
+TEST(CpuBackend, TinyLevelsHaveNoPixels) {
+  const Pair pair = RoomPair(CameraOfSize(9, 5), 5);
+  EXPECT_GT(pair.Cost(SE3d{}, 0).pixels, 0);
+  EXPECT_EQ(pair.reference_pyramid->levels()[4].camera.width, 0);
+  for (int level = 2; level < 5; ++level) {
+    EXPECT_EQ(pair.Linearize(SE3d{}, level), NormalEquations{}) << level;
+  }
+}
+
+}  // namespace
+}  // namespace silt::tracker

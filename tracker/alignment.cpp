@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/tracker/alignment.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "silt/core/error.h"
+#include "silt/tracker/stopwatch.h"
+
+namespace silt::tracker {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+// Fewer residuals than this say nothing about six parameters; a level that cannot have them is
+// skipped.
+constexpr int kMinPixels = 30;
+
+Matrix6 HessianMatrix(const NormalEquations& equations) {
+  Matrix6 h;
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j, ++k) h(i, j) = h(j, i) = equations.hessian[k];
+  }
+  return h;
+}
+
+// dξ = −(JᵀJ + αI)⁻¹·Jᵀr (eq. 17, damped), or nothing where it has no finite solution.
+std::optional<Twistd> Solve(const NormalEquations& equations, double damping) {
+  const Vector6 gradient = Eigen::Map<const Vector6>(equations.gradient.data());
+  const Matrix6 damped = HessianMatrix(equations) + damping * Matrix6::Identity();
+  if (!damped.allFinite() || !gradient.allFinite()) return std::nullopt;
+  const Eigen::LDLT<Matrix6> ldlt(damped);
+  const Vector6 d = -ldlt.solve(gradient);
+  if (ldlt.info() != Eigen::Success || !d.allFinite()) return std::nullopt;
+  return Twistd{{d[0], d[1], d[2]}, {d[3], d[4], d[5]}};
+}
+
+double UpdateNorm(const Twistd& d) { return std::sqrt(Dot(d.omega, d.omega) + Dot(d.v, d.v)); }
+
+// Whether the equations tell the six parameters apart: the pivots of JᵀJ, scaled to a unit
+// diagonal, stay clear of rounding.
+bool DeterminesPose(const NormalEquations& equations) {
+  const Matrix6 h = HessianMatrix(equations);
+  if (!h.allFinite() || h.diagonal().minCoeff() <= 0) return false;
+  const Vector6 scale = h.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::LDLT<Matrix6> ldlt(Matrix6(scale.asDiagonal() * h * scale.asDiagonal()));
+  return ldlt.vectorD().minCoeff() > 1e-7;
+}
+
+class LevenbergMarquardt {
+ public:
+  LevenbergMarquardt(const Backend& backend, const ImagePair& pair, const SE3d& initial,
+                     const AlignmentOptions& options)
+      : backend_(backend), pair_(pair), options_(options), pose_(initial) {}
+
+  AlignmentResult Run(const SE3d& initial) {
+    // From the coarsest level to the finest, each from where the one before it ended.
+    for (int level = options_.levels(); level >= 1 && result_.failure.empty(); --level) {
+      if (options_.max_iterations[level - 1] > 0 && Measured(level) >= kMinPixels) RunLevel(level);
+    }
+    if (result_.failure.empty()) CheckEnd();
+    result_.ok = result_.failure.empty();
+    result_.current_from_reference = result_.ok ? pose_ : initial;
+    return std::move(result_);
+  }
+
+ private:
+  int Measured(int level) const { return pair_.reference.levels()[level - 1].measured_pixels; }
+
+  bool EnoughPixels(int level, const PhotometricCost& cost) const {
+    return cost.pixels >= kMinPixels &&
+           double(cost.pixels) >= options_.min_overlap * Measured(level);
+  }
+
+  void RunLevel(int level) {
+    Linearize(level);
+    if (!CheckStart(level)) return;
+    AlignmentLevel summary;
+    summary.level = level;
+    summary.width = pair_.reference.levels()[level - 1].camera.width;
+    summary.height = pair_.reference.levels()[level - 1].camera.height;
+    summary.initial_cost = equations_.cost;
+    damping_ = options_.initial_damping;
+    cost_ = equations_.cost;
+    for (int i = 1; i <= options_.max_iterations[level - 1] && !summary.converged; ++i) {
+      summary.iterations = i;
+      const std::optional<Twistd> update = TimedSolve();
+      if (!update) return Fail("the normal equations have no finite solution");
+      summary.converged = Step(level, i, *update);
+    }
+    summary.final_cost = cost_;
+    result_.levels.push_back(summary);
+  }
+
+  // One iteration of Algorithm 1; true where |dξ| < ε.
+  bool Step(int level, int iteration, const Twistd& update) {
+    AlignmentStep step{level, iteration, damping_, UpdateNorm(update), cost_, {}, false};
+    const SE3d trial = TimedUpdate(update);
+    step.trial_cost = TimedCost(level, trial);
+    const bool converged = step.update_norm < options_.min_update_norm;
+    step.accepted =
+        !converged && EnoughPixels(level, step.trial_cost) && step.trial_cost.mean() < cost_.mean();
+    if (step.accepted) {
+      pose_ = trial;
+      cost_ = step.trial_cost;
+      if (iteration < options_.max_iterations[level - 1]) Linearize(level);
+      damping_ /= options_.damping_factor;
+    } else {
+      damping_ *= options_.damping_factor;
+    }
+    if (options_.keep_log) result_.log.push_back(step);
+    return converged;
+  }
+
+  std::optional<Twistd> TimedSolve() {
+    const Stopwatch watch(&result_.times.update_ms);
+    return Solve(equations_, damping_);
+  }
+
+  SE3d TimedUpdate(const Twistd& update) {
+    const Stopwatch watch(&result_.times.update_ms);
+    return SE3d::Exp(update) * pose_;
+  }
+
+  PhotometricCost TimedCost(int level, const SE3d& pose) {
+    const Stopwatch watch(&result_.times.residual_ms);
+    return backend_.Cost(pair_, level - 1, pose);
+  }
+
+  void Linearize(int level) {
+    const Stopwatch watch(&result_.times.jacobian_ms);
+    equations_ = backend_.Linearize(pair_, level - 1, pose_);
+  }
+
+  void Fail(const std::string& why) { result_.failure = why; }
+
+  bool CheckStart(int level) {
+    if (EnoughPixels(level, equations_.cost)) return true;
+    Fail("the images share " + std::to_string(equations_.cost.pixels) + " of " +
+         std::to_string(Measured(level)) + " measured pixels at level " + std::to_string(level));
+    return false;
+  }
+
+  void CheckEnd() {
+    if (result_.levels.empty()) return Fail("no pyramid level has enough measured pixels");
+    if (!DeterminesPose(equations_)) Fail("the images' texture does not determine a pose");
+  }
+
+  const Backend& backend_;
+  const ImagePair& pair_;
+  const AlignmentOptions& options_;
+  SE3d pose_;
+  NormalEquations equations_;  // at pose_, but for a level's last iteration
+  PhotometricCost cost_;       // at pose_
+  double damping_ = 0;
+  AlignmentResult result_;
+};
+
+}  // namespace
+
+AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d& initial,
+                      const AlignmentOptions& options) {
+  SILT_CHECK(int(pair.reference.levels().size()) >= options.levels());
+  return LevenbergMarquardt(backend, pair, initial, options).Run(initial);
+}
+
+}  // namespace silt::tracker

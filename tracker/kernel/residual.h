@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "silt/core/vector.h"
+#include "silt/tracker/kernel/bilinear.h"
+#include "silt/tracker/kernel/scalar.h"
+#include "silt/tracker/kernel/warp.h"
+
+namespace silt::tracker::kernel {
+
+// The current image at a warped pixel.
+template <typename T>
+struct WarpedSample {
+  Sample<T> sample;  // I_c(W) and ∇I_c(W)
+  Mask<T> valid;     // in front, and all four pixels around W inside the image
+};
+
+template <typename T, typename Sampler>
+SILT_HOST_DEVICE inline WarpedSample<T> SampleCurrent(const WarpedPixel<T>& warped,
+                                                      const Sampler& sampler) {
+  using std::floor;
+  const Mask<T> valid = warped.front && warped.u >= T(0) && warped.v >= T(0) &&
+                        warped.u < T(sampler.width - 1) && warped.v < T(sampler.height - 1);
+  const T u = Select(valid, warped.u, T(0));
+  const T v = Select(valid, warped.v, T(0));
+  const T x = floor(u);
+  const T y = floor(v);
+  return {Bilinear(sampler(x, y), u - x, v - y), valid};
+}
+
+// r = I_c(W) − I_r (eq. 12) and its derivative by ξ = (ω, v) of exp(ξ)·T_cr at ξ = 0; zeros where
+// not valid.
+template <typename T>
+struct LinearizedResidual {
+  T residual;
+  T jacobian[6];
+  Mask<T> valid;
+};
+
+// The image must hold at least 2×2 pixels.
+template <typename T, typename Sampler>
+SILT_HOST_DEVICE inline T Residual(const Warp<T>& warp, const Sampler& sampler,
+                                   const ReferencePixel<T>& pixel, Mask<T>* valid) {
+  const WarpedSample<T> current = SampleCurrent(WarpPixel(warp, pixel), sampler);
+  *valid = current.valid;
+  return Select(current.valid, current.sample.value - pixel.intensity, T(0));
+}
+
+// Eqs. 13–16: ∇I_c(W)·∂π/∂X(K·p1)·K·[−[p1]ₓ | I]. With (a, b) = (fx·∂I/∂u, fy·∂I/∂v) the part by v
+// is j = (a, b, −(a·X + b·Y)/Z)/Z, and that by ω is −jᵀ[p1]ₓ = (p1 × j)ᵀ.
+template <typename T, typename Sampler>
+SILT_HOST_DEVICE inline LinearizedResidual<T> Linearize(const Warp<T>& warp, const Sampler& sampler,
+                                                        const ReferencePixel<T>& pixel) {
+  const WarpedPixel<T> warped = WarpPixel(warp, pixel);
+  const WarpedSample<T> current = SampleCurrent(warped, sampler);
+  const Mask<T> valid = current.valid;
+  const T zero(0);
+  const Vec3<T>& p = warped.point;
+  const T a = Select(valid, warp.camera.fx * current.sample.du * warped.inverse_z, zero);
+  const T b = Select(valid, warp.camera.fy * current.sample.dv * warped.inverse_z, zero);
+  const Vec3<T> point{Select(valid, p.x, zero), Select(valid, p.y, zero), Select(valid, p.z, zero)};
+  const Vec3<T> j{a, b, -(a * point.x + b * point.y) * warped.inverse_z};
+  const Vec3<T> w = Cross(point, j);
+  return {Select(valid, current.sample.value - pixel.intensity, zero),
+          {w.x, w.y, w.z, j.x, j.y, j.z},
+          valid};
+}
+
+}  // namespace silt::tracker::kernel

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/tracker/keyframe_tracker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "silt/core/color.h"
+#include "silt/core/error.h"
+#include "silt/core/pyramid.h"
+#include "silt/tracker/stopwatch.h"
+
+namespace silt::tracker {
+namespace {
+
+void CheckSize(const char* what, int width, int height, const PinholeCamera& camera, int frame) {
+  if (width == camera.width && height == camera.height) return;
+  throw Error("frame " + std::to_string(frame) + ": its " + what + " has " + std::to_string(width) +
+              "x" + std::to_string(height) + " pixels and the camera " +
+              std::to_string(camera.width) + "x" + std::to_string(camera.height) +
+              "; give images of the camera's size");
+}
+
+double MeasuredShare(const Image<float>& depth_m) {
+  if (depth_m.empty()) return 0;
+  return double(std::count_if(depth_m.begin(), depth_m.end(), IsMeasured)) / double(depth_m.size());
+}
+
+double Variance(const Image<float>& intensity) {
+  double sum = 0, squares = 0;
+  for (float value : intensity) {
+    sum += double(value);
+    squares += double(value) * double(value);
+  }
+  const double n = double(std::max<std::size_t>(intensity.size(), 1));
+  return std::max(0.0, squares / n - (sum / n) * (sum / n));
+}
+
+}  // namespace
+
+KeyframeTracker::KeyframeTracker(const PinholeCamera& camera, const TrackerOptions& options,
+                                 std::unique_ptr<const Backend> backend,
+                                 std::unique_ptr<Initializer> initializer,
+                                 const SE3d& first_world_from_camera)
+    : camera_(camera),
+      options_(options),
+      backend_(std::move(backend)),
+      initializer_(std::move(initializer)),
+      world_from_camera_(first_world_from_camera) {
+  SILT_CHECK(backend_ != nullptr);
+  options_.Validate();
+}
+
+KeyframeTracker::~KeyframeTracker() = default;
+
+TrackedFrame KeyframeTracker::Track(const Frame& frame) {
+  CheckFrame(frame);
+  TrackedFrame result;
+  result.time_s = frame.time_s;
+  {
+    const Stopwatch total(&result.times.total_ms);
+    Image<float> intensity = Gray(frame, &result);
+    // The first frame is the first keyframe; later ones are aligned with the nearest keyframe.
+    if (!keyframes_.empty()) Localize(frame, intensity, &result);
+    if (NeedsNewKeyframe(result)) MakeKeyframe(frame, std::move(intensity), &result);
+  }
+  result.world_from_camera = world_from_camera_;
+  ++frame_index_;
+  return result;
+}
+
+void KeyframeTracker::CheckFrame(const Frame& frame) const {
+  CheckSize("image", frame.rgb.width(), frame.rgb.height(), camera_, frame_index_);
+  if (frame.depth_m.empty()) return;
+  CheckSize("depth", frame.depth_m.width(), frame.depth_m.height(), camera_, frame_index_);
+}
+
+Image<float> KeyframeTracker::Gray(const Frame& frame, TrackedFrame* result) const {
+  const Stopwatch watch(&result->times.pyramid_ms);
+  return GrayFromRgb(frame.rgb);
+}
+
+void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity,
+                               TrackedFrame* result) {
+  // The position of the previous image defines the nearest keyframe (§3.1).
+  const Keyframe& nearest = keyframes_[NearestKeyframe(keyframes_, world_from_camera_)];
+  result->keyframe_id = nearest.id;
+  // Initial T_cr (§3.2), then its refinement (§3.3).
+  const SE3d initial = InitialPose(nearest, frame, intensity, result);
+  Refine(nearest, intensity, initial, result);
+  if (result->status != TrackingStatus::kTracked) return;
+  // T_wc = T_w,near · T_near,c.
+  world_from_camera_ =
+      nearest.world_from_camera * result->alignment.current_from_reference.Inverse();
+}
+
+SE3d KeyframeTracker::InitialPose(const Keyframe& nearest, const Frame& frame,
+                                  const Image<float>& intensity, TrackedFrame* result) {
+  const Stopwatch watch(&result->times.initial_estimate_ms);
+  if (initializer_) {
+    result->initial =
+        initializer_->Estimate({nearest, frame, intensity, camera_, options_.seed, frame_index_});
+  }
+  const SE3d previous = world_from_camera_.Inverse() * nearest.world_from_camera;
+  return result->initial.current_from_keyframe.value_or(previous);
+}
+
+void KeyframeTracker::Refine(const Keyframe& nearest, const Image<float>& intensity,
+                             const SE3d& initial, TrackedFrame* result) {
+  std::unique_ptr<CurrentPyramid> current;
+  {
+    const Stopwatch watch(&result->times.pyramid_ms);
+    current = backend_->MakeCurrent(intensity, options_.alignment.levels());
+  }
+  const Reference& reference = references_[nearest.id];
+  result->alignment = Align(*backend_, {*reference.pyramid, *current}, initial, options_.alignment);
+  result->times.residual_ms = result->alignment.times.residual_ms;
+  result->times.jacobian_ms = result->alignment.times.jacobian_ms;
+  result->times.update_ms = result->alignment.times.update_ms;
+  Judge(reference, result);
+}
+
+void KeyframeTracker::Judge(const Reference& reference, TrackedFrame* result) const {
+  const double left = 2 * result->alignment.final_cost().mean();  // mean r²
+  if (!result->alignment.ok) {
+    result->message = "lost: " + result->alignment.failure;
+  } else if (left > options_.max_unexplained_variance * reference.variance) {
+    result->message = "lost: the aligned images do not look alike";
+  } else {
+    result->status = TrackingStatus::kTracked;
+  }
+}
+
+bool KeyframeTracker::NeedsNewKeyframe(const TrackedFrame& result) const {
+  if (keyframes_.empty()) return true;
+  return result.status == TrackingStatus::kTracked &&
+         NeedsKeyframe(keyframes_, world_from_camera_, options_.keyframes);
+}
+
+void KeyframeTracker::MakeKeyframe(const Frame& frame, Image<float> intensity,
+                                   TrackedFrame* result) {
+  const double measured = MeasuredShare(frame.depth_m);
+  if (measured < options_.keyframes.min_measured_depth || measured == 0) {
+    result->message =
+        "not a keyframe: " + std::to_string(int(100 * measured)) + " % of its depth is measured";
+    return;
+  }
+  const Stopwatch watch(&result->times.pyramid_ms);
+  const int id = int(keyframes_.size());
+  references_.push_back(
+      {backend_->MakeReference(intensity, frame.depth_m, camera_, options_.alignment.levels()),
+       Variance(intensity)});
+  keyframes_.push_back({id, frame, std::move(intensity), world_from_camera_});
+  result->new_keyframe = true;
+  if (id == 0) {
+    result->status = TrackingStatus::kTracked;
+    result->keyframe_id = id;
+  }
+}
+
+}  // namespace silt::tracker
