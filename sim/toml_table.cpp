@@ -161,6 +161,17 @@ Vec3d TomlTable::Vector(const std::string& key, const Vec3d& fallback) const {
   return Has(key) ? Vector(key) : fallback;
 }
 
+std::optional<TomlTable> TomlTable::Table(const std::string& key) const {
+  if (!Has(key)) return {};
+  const toml::table* table = state_->table->get(key)->as_table();
+  if (table == nullptr) Fail(key, "must be written as [" + key + "]");
+  auto state = std::make_shared<State>();
+  state->root = state_->root;
+  state->table = table;
+  state->file = state_->file;
+  return TomlTable(std::move(state));
+}
+
 std::vector<TomlTable> TomlTable::Tables(const std::string& key) const {
   std::vector<TomlTable> tables;
   if (!Has(key)) return tables;

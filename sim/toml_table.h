@@ -36,6 +36,8 @@ class TomlTable {
   std::vector<double> Numbers(const std::string& key, std::size_t count) const;
   Vec3d Vector(const std::string& key) const;
   Vec3d Vector(const std::string& key, const Vec3d& fallback) const;
+  // The [key] table, where there is one.
+  std::optional<TomlTable> Table(const std::string& key) const;
   // All the [[key]] tables, in order; none where the key is absent.
   std::vector<TomlTable> Tables(const std::string& key) const;
   // A table whose values are all strings, in order of its keys.
