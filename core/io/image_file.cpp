@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "silt/core/atomic_file.h"
 #include "silt/core/error.h"
@@ -27,11 +28,15 @@ cv::Mat ReadAny(const fs::path& file, int flags) {
   return image;
 }
 
-void WriteAny(const fs::path& file, const cv::Mat& image) {
+// Encoded in memory: OpenCV's own writer takes no notice of a disk that is full when it closes the
+// file.
+void WritePng(const fs::path& file, const cv::Mat& image) {
+  std::vector<unsigned char> bytes;
   // Level 1 of deflate: half the time of the default for a tenth more bytes.
-  WriteFileAtomically(file, [&](const fs::path& part) {
-    return cv::imwrite(part.string(), image, {cv::IMWRITE_PNG_COMPRESSION, 1});
-  });
+  if (!cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1})) {
+    throw Error(file.string() + ": cannot be encoded as PNG");
+  }
+  WriteFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace
@@ -58,13 +63,15 @@ Image<float> ReadDepth(const fs::path& file, double per_metre) {
 }
 
 void WriteRgb(const fs::path& file, const Image<Rgb8>& rgb) {
+  if (rgb.empty()) throw Error(file.string() + ": an empty image cannot be written");
   const cv::Mat view(rgb.height(), rgb.width(), CV_8UC3, const_cast<Rgb8*>(rgb.data()));
   cv::Mat bgr;
   cv::cvtColor(view, bgr, cv::COLOR_RGB2BGR);
-  WriteAny(file, bgr);
+  WritePng(file, bgr);
 }
 
 void WriteDepth(const fs::path& file, const Image<float>& depth_m, double per_metre) {
+  if (depth_m.empty()) throw Error(file.string() + ": an empty image cannot be written");
   cv::Mat raw(depth_m.height(), depth_m.width(), CV_16UC1);
   for (int y = 0; y < raw.rows; ++y) {
     auto* out = raw.ptr<std::uint16_t>(y);
@@ -73,7 +80,7 @@ void WriteDepth(const fs::path& file, const Image<float>& depth_m, double per_me
       out[x] = IsMeasured(depth_m(x, y)) && steps <= 65535 ? std::uint16_t(steps) : 0;
     }
   }
-  WriteAny(file, raw);
+  WritePng(file, raw);
 }
 
 }  // namespace silt

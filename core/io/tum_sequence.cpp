@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "silt/core/atomic_file.h"
@@ -52,12 +53,21 @@ double ParseNumber(const std::string& word, const fs::path& file, int line) {
   return value;
 }
 
+// The time of a list's line, which must be later than the one before.
+double ParseTime(const ListLine& line, const fs::path& list, double before_s) {
+  const double time_s = ParseNumber(line.words[0], list, line.number);
+  if (time_s <= before_s) FailAt(list, line.number, "time does not increase");
+  return time_s;
+}
+
 std::vector<TumEntry> ReadAssociations(const fs::path& folder, const fs::path& file) {
   std::vector<TumEntry> entries;
+  double time_s = -std::numeric_limits<double>::infinity();
   for (const ListLine& line : ReadList(file)) {
     if (line.words.size() != 4) FailAt(file, line.number, "expected: time rgb time depth");
-    entries.push_back({ParseNumber(line.words[0], file, line.number), folder / line.words[1],
-                       folder / line.words[3]});
+    time_s = ParseTime(line, file, time_s);
+    ParseNumber(line.words[2], file, line.number);
+    entries.push_back({time_s, folder / line.words[1], folder / line.words[3]});
   }
   return entries;
 }
@@ -69,9 +79,11 @@ struct StampedFile {
 
 std::vector<StampedFile> ReadStampedFiles(const fs::path& folder, const fs::path& list) {
   std::vector<StampedFile> files;
+  double time_s = -std::numeric_limits<double>::infinity();
   for (const ListLine& line : ReadList(list)) {
     if (line.words.size() != 2) FailAt(list, line.number, "expected: time file");
-    files.push_back({ParseNumber(line.words[0], list, line.number), folder / line.words[1]});
+    time_s = ParseTime(line, list, time_s);
+    files.push_back({time_s, folder / line.words[1]});
   }
   return files;
 }
@@ -109,7 +121,21 @@ PinholeCamera ReadCamera(const fs::path& file) {
   double v[6];
   for (int i = 0; i < 6; ++i) v[i] = ParseNumber(lines[0].words[i], file, lines[0].number);
   if (v[0] <= 0 || v[1] <= 0) FailAt(file, lines[0].number, "fx and fy must be positive");
+  for (double size : {v[4], v[5]}) {
+    if (size < 1 || size > 65535 || size != std::floor(size)) {
+      FailAt(file, lines[0].number, "width and height must be whole, from 1 to 65535");
+    }
+  }
   return {v[0], v[1], v[2], v[3], int(v[4]), int(v[5])};
+}
+
+void RemoveLists(const fs::path& folder) {
+  for (const char* list :
+       {"camera.txt", "rgb.txt", "depth.txt", "associations.txt", "groundtruth.txt"}) {
+    std::error_code error;
+    fs::remove(folder / list, error);
+    if (error) throw Error((folder / list).string() + ": cannot be removed: " + error.message());
+  }
 }
 
 }  // namespace
@@ -118,6 +144,7 @@ TumSequenceWriter::TumSequenceWriter(fs::path folder, const PinholeCamera& camer
     : folder_(std::move(folder)), camera_(camera) {}
 
 void TumSequenceWriter::Write(const Frame& frame, const SE3d& world_from_camera) {
+  if (ground_truth_.empty()) RemoveLists(folder_);
   const std::string name = FrameName(ground_truth_.size());
   WriteRgb(folder_ / "rgb" / name, frame.rgb);
   WriteDepth(folder_ / "depth" / name, frame.depth_m);

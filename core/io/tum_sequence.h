@@ -15,7 +15,7 @@
 namespace silt {
 
 // Writes frames as they come; the lists and the trajectory appear with Finish(), so that a folder
-// that has them is whole.
+// that has them is whole; those of an earlier sequence go with the first frame.
 class TumSequenceWriter {
  public:
   TumSequenceWriter(std::filesystem::path folder, const PinholeCamera& camera);

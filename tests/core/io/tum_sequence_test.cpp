@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/core/io/tum_sequence.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "silt/core/error.h"
+#include "silt/core/io/image_file.h"
+
+namespace silt {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr PinholeCamera kSmall{20, 21, 3.5, 2.5, 8, 6};
+
+class TumSequenceTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("tum_sequence_") + info->name());
+    fs::remove_all(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static Frame FrameAt(int i) {
+    return {100 + i / 60.0, Image<Rgb8>(8, 6, {std::uint8_t(i), 2, 3}),
+            Image<float>(8, 6, 1 + 0.1f * float(i))};
+  }
+  void WriteSequence(int frames) const {
+    TumSequenceWriter writer(folder_, kSmall);
+    for (int i = 0; i < frames; ++i) writer.Write(FrameAt(i), {{}, {double(i), 0, 0}});
+    writer.Finish();
+  }
+  void Overwrite(const char* name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  std::string ErrorOfOpening(const TumSequenceOptions& options = {}) const {
+    try {
+      TumSequence(folder_, options);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(TumSequenceTest, ReadsWhatWasWritten) {
+  WriteSequence(3);
+  TumSequence sequence(folder_);
+  EXPECT_EQ(sequence.size(), 3);
+  EXPECT_EQ(sequence.camera().fx, 20);
+  EXPECT_EQ(sequence.camera().fy, 21);
+  EXPECT_EQ(sequence.camera().cy, 2.5);
+  EXPECT_EQ(sequence.camera().width, 8);
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<Frame> frame = sequence.Next();
+    ASSERT_TRUE(frame);
+    EXPECT_NEAR(frame->time_s, FrameAt(i).time_s, 1e-9);
+    EXPECT_EQ(frame->rgb, FrameAt(i).rgb);
+    EXPECT_NEAR(frame->depth_m(7, 5), FrameAt(i).depth_m(7, 5), 1e-4);
+  }
+  EXPECT_FALSE(sequence.Next());
+  EXPECT_FALSE(sequence.Next());
+}
+
+TEST_F(TumSequenceTest, GroundTruthBearsTheFramesTimes) {
+  WriteSequence(3);
+  const Trajectory truth = ReadTumTrajectory(folder_ / "groundtruth.txt");
+  const TumSequence sequence(folder_);
+  ASSERT_EQ(truth.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(truth[i].time_s, sequence.entries()[i].time_s);
+    EXPECT_EQ(truth[i].world_from_camera.translation.x, double(i));
+  }
+}
+
+TEST_F(TumSequenceTest, ListsAppearOnlyWithFinish) {
+  TumSequenceWriter writer(folder_, kSmall);
+  writer.Write(FrameAt(0), {});
+  EXPECT_FALSE(fs::exists(folder_ / "associations.txt"));
+  EXPECT_FALSE(fs::exists(folder_ / "groundtruth.txt"));
+  writer.Finish();
+  EXPECT_TRUE(fs::exists(folder_ / "associations.txt"));
+  EXPECT_TRUE(fs::exists(folder_ / "groundtruth.txt"));
+}
+
+TEST_F(TumSequenceTest, ListsOfAnEarlierSequenceGoWithTheFirstFrame) {
+  WriteSequence(3);
+  TumSequenceWriter writer(folder_, kSmall);
+  EXPECT_EQ(TumSequence(folder_).size(), 3);
+  writer.Write(FrameAt(0), {});
+  for (const char* list : {"camera.txt", "rgb.txt", "depth.txt", "associations.txt"}) {
+    EXPECT_FALSE(fs::exists(folder_ / list)) << list;
+  }
+}
+
+TEST_F(TumSequenceTest, TakeEveryThins) {
+  WriteSequence(7);
+  const TumSequence sequence(folder_, {.take_every = 3});
+  ASSERT_EQ(sequence.size(), 3);
+  EXPECT_NEAR(sequence.entries()[1].time_s, 100 + 3 / 60.0, 1e-9);
+  EXPECT_NEAR(sequence.entries()[2].time_s, 100 + 6 / 60.0, 1e-9);
+}
+
+TEST_F(TumSequenceTest, GivenCameraReplacesTheFile) {
+  WriteSequence(1);
+  fs::remove(folder_ / "camera.txt");
+  PinholeCamera camera = kSmall;
+  camera.fx = 30;
+  EXPECT_EQ(TumSequence(folder_, {}, camera).camera().fx, 30);
+  EXPECT_THAT(ErrorOfOpening(), HasSubstr("camera.txt: expected one line"));
+}
+
+// As in TUM's own folders: two lists, times that differ, a depth image missing.
+TEST_F(TumSequenceTest, AssociatesTheNearestDepthWithinTheTolerance) {
+  WriteSequence(3);
+  fs::remove(folder_ / "associations.txt");
+  Overwrite("rgb.txt",
+            "# color images\n1.000 rgb/000000.png\n1.033 rgb/000001.png\n"
+            "1.100 rgb/000002.png\n");
+  Overwrite("depth.txt",
+            "0.985 depth/000000.png\n1.004 depth/000001.png\n1.051 depth/000002.png\n");
+  TumSequence sequence(folder_);
+  ASSERT_EQ(sequence.size(), 3);
+  EXPECT_EQ(sequence.entries()[0].depth.filename(), "000001.png");
+  EXPECT_EQ(sequence.entries()[1].depth.filename(), "000002.png");
+  EXPECT_TRUE(sequence.entries()[2].depth.empty());
+  sequence.Next();
+  sequence.Next();
+  EXPECT_TRUE(sequence.Next()->depth_m.empty());
+  const TumSequence strict(folder_, {.association_tolerance_s = 0.01});
+  EXPECT_FALSE(strict.entries()[0].depth.empty());
+  EXPECT_TRUE(strict.entries()[1].depth.empty());
+}
+
+struct BadList {
+  const char* file;
+  const char* text;
+  const char* complaint;
+};
+
+class BadTumList : public TumSequenceTest, public testing::WithParamInterface<BadList> {
+ protected:
+  // Parameterised names hold slashes.
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              ("tum_bad_list_" + std::to_string(std::hash<std::string>()(GetParam().text)));
+    fs::remove_all(folder_);
+  }
+};
+
+TEST_P(BadTumList, IsRefusedWithFileAndLine) {
+  WriteSequence(2);
+  if (std::string(GetParam().file) != "associations.txt") fs::remove(folder_ / "associations.txt");
+  Overwrite(GetParam().file, GetParam().text);
+  const std::string error = ErrorOfOpening();
+  EXPECT_THAT(error, HasSubstr(std::string(GetParam().file) + GetParam().complaint));
+  EXPECT_EQ(error.find('\n'), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lists, BadTumList,
+    testing::Values(
+        BadList{"associations.txt", "# c\n\n1 a.png 1\n", ":3: expected: time rgb time depth"},
+        BadList{"associations.txt", "x a.png 1 b.png\n", ":1: 'x' is not a number"},
+        BadList{"associations.txt", "1 a.png y b.png\n", ":1: 'y' is not a number"},
+        BadList{"associations.txt", "1 a.png 1 b.png\n1 c.png 1 d.png\n",
+                ":2: time does not increase"},
+        BadList{"rgb.txt", "1 a.png\n2\n", ":2: expected: time file"},
+        BadList{"rgb.txt", "nan a.png\n", ":1: 'nan' is not a number"},
+        BadList{"depth.txt", "1 a.png extra\n", ":1: expected: time file"},
+        BadList{"depth.txt", "2 a.png\n1 b.png\n", ":2: time does not increase"},
+        BadList{"camera.txt", "1 2 3 4 5\n", ": expected one line"},
+        BadList{"camera.txt", "1 2 3 4 5 6\n1 2 3 4 5 6\n", ": expected one line"},
+        BadList{"camera.txt", "# f\n0 1 2 3 8 6\n", ":2: fx and fy must be positive"},
+        BadList{"camera.txt", "20 -21 2 3 8 6\n", ":1: fx and fy must be positive"},
+        BadList{"camera.txt", "20 20 2 3 8.5 6\n", ":1: width and height must be whole"},
+        BadList{"camera.txt", "20 20 2 3 0 6\n", ":1: width and height must be whole"},
+        BadList{"camera.txt", "20 20 2 3 8 1e12\n", ":1: width and height must be whole"}));
+
+TEST_F(TumSequenceTest, MissingPartsAreNamed) {
+  EXPECT_THAT(ErrorOfOpening(), HasSubstr(folder_.string() + ": no such sequence folder"));
+  WriteSequence(1);
+  Overwrite("associations.txt", "# nothing\n");
+  EXPECT_THAT(ErrorOfOpening(), HasSubstr("lists no image"));
+  fs::remove(folder_ / "associations.txt");
+  fs::remove(folder_ / "rgb.txt");
+  EXPECT_THAT(ErrorOfOpening(), HasSubstr("rgb.txt: no such list"));
+}
+
+TEST_F(TumSequenceTest, MissingOrWrongImageIsNamedWhenItsTurnComes) {
+  WriteSequence(3);
+  fs::remove(folder_ / "rgb" / "000001.png");
+  WriteDepth(folder_ / "depth" / "000002.png", Image<float>(4, 6, 1.0f));
+  TumSequence sequence(folder_);
+  EXPECT_TRUE(sequence.Next());
+  for (const char* name : {"rgb/000001.png", "depth/000002.png"}) {
+    try {
+      sequence.Next();
+      ADD_FAILURE() << name;
+    } catch (const Error& e) {
+      EXPECT_THAT(e.what(), HasSubstr(name));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace silt
