@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "silt/sim/irradiance.h"
+#include "silt/sim/lighting_options.h"
+#include "silt/sim/ray_tracer.h"
+#include "silt/sim/scene.h"
+
+namespace silt::sim {
+
+// A scene with all that is computed once for it; renderers of different cameras, shutters and
+// noise share one. Throws silt::Error where Embree refuses.
+class LitScene {
+ public:
+  explicit LitScene(Scene scene, const LightingOptions& options = {});
+  LitScene(const LitScene&) = delete;  // the tracer and the light refer to this very scene
+  LitScene& operator=(const LitScene&) = delete;
+
+  const Scene& scene() const { return scene_; }
+  const RayTracer& tracer() const { return tracer_; }
+  const Irradiance& irradiance() const { return irradiance_; }
+  // log2 of a triangle's texels per metre, the geometric mean of both directions; 0 untextured.
+  float log2_texels_per_metre(std::uint32_t triangle) const { return texel_density_[triangle]; }
+
+ private:
+  Scene scene_;
+  RayTracer tracer_;
+  Irradiance irradiance_;
+  std::vector<float> texel_density_;
+};
+
+}  // namespace silt::sim

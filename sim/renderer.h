@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "silt/core/camera.h"
+#include "silt/core/frame.h"
+#include "silt/core/se3.h"
+#include "silt/sim/lit_scene.h"
+#include "silt/sim/sensor_noise.h"
+
+namespace silt::sim {
+
+// world_from_camera at a time in seconds.
+using PoseAtTime = std::function<SE3d(double time_s)>;
+
+struct RenderOptions {
+  PinholeCamera camera = kIclNuimCamera;
+  int samples_per_pixel = 4;
+  double exposure_s = 0;                           // 0: no motion blur
+  int time_samples = 16;                           // instants in an exposure, at least
+  std::optional<NoiseModel> noise = std::nullopt;  // of the colours; depth is exact
+  std::uint64_t seed = 0;                          // of the noise
+
+  void Validate() const;  // throws silt::Error
+};
+
+// Makes frames of a scene. Frames are byte-identical for any number of threads.
+class Renderer {
+ public:
+  // Takes a scene (copies or moves it) and computes its light.
+  explicit Renderer(Scene scene, const RenderOptions& options = {},
+                    const LightingOptions& lighting = {});
+  // Shares a scene whose light is there already.
+  Renderer(std::shared_ptr<const LitScene> scene, const RenderOptions& options);
+
+  // Colours averaged over the exposure about `time_s`; depth at `time_s` itself.
+  Frame Render(const PoseAtTime& world_from_camera, double time_s, int frame_index) const;
+
+  // Mean linear radiance of each pixel over the exposure, without noise.
+  Image<Vec3f> RenderLinear(const PoseAtTime& world_from_camera, double time_s) const;
+
+  // z of what the ray through each pixel's centre meets, in metres; 0: nothing.
+  Image<float> RenderDepth(const SE3d& world_from_camera) const;
+
+  const RenderOptions& options() const { return options_; }
+  const std::shared_ptr<const LitScene>& lit_scene() const { return lit_; }
+
+ private:
+  std::shared_ptr<const LitScene> lit_;
+  RenderOptions options_;
+};
+
+}  // namespace silt::sim

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/sim/sensor_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "silt/core/parallel.h"
+#include "silt/core/random.h"
+
+namespace silt::sim {
+
+namespace {
+
+float Noisy(float signal, double sigma_shot, double sigma_read, double normal) {
+  const double saturated = std::clamp(double(signal), 0.0, 1.0);
+  const double variance = sigma_shot * sigma_shot * saturated + sigma_read * sigma_read;
+  return float(saturated + std::sqrt(variance) * normal);
+}
+
+}  // namespace
+
+void AddNoise(const NoiseModel& model, const NoiseKey& key, Image<Vec3f>& signal) {
+  const CounterRandom random(key.seed, key.frame);
+  ParallelFor(signal.height(), [&](int y) {
+    std::uint64_t index = 3 * std::uint64_t(y) * std::uint64_t(signal.width());
+    for (int x = 0; x < signal.width(); ++x, index += 3) {
+      Vec3f& value = signal(x, y);
+      value.x = Noisy(value.x, model.sigma_shot.x, model.sigma_read.x, random.Normal(index));
+      value.y = Noisy(value.y, model.sigma_shot.y, model.sigma_read.y, random.Normal(index + 1));
+      value.z = Noisy(value.z, model.sigma_shot.z, model.sigma_read.z, random.Normal(index + 2));
+    }
+  });
+}
+
+}  // namespace silt::sim

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "silt/core/image.h"
+#include "silt/core/vector.h"
+
+namespace silt::sim {
+
+// Shot and read noise of a colour camera: a signal I in [0, 1], linear in light, gets Gaussian
+// noise of variance σ_s²·I + σ_c², per channel, before the response curve and the 8 bits.
+struct NoiseModel {
+  Vec3d sigma_shot;
+  Vec3d sigma_read;
+
+  // The constants released with Handa et al., "Real-Time Camera Tracking: When is High Frame-Rate
+  // Best?", ECCV 2012.
+  static NoiseModel Handa() { return {{0.0104, 0.0066, 0.0106}, {0.0045, 0.0038, 0.0050}}; }
+};
+
+// What must differ for two pictures to have independent noise.
+struct NoiseKey {
+  std::uint64_t seed = 0;
+  std::uint32_t frame = 0;
+};
+
+// Adds noise to a signal (values outside [0, 1] count as saturated). A pixel's noise is a function
+// of (seed, frame, pixel, channel) alone.
+void AddNoise(const NoiseModel& model, const NoiseKey& key, Image<Vec3f>& signal);
+
+}  // namespace silt::sim

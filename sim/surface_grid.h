@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "silt/core/vector.h"
+#include "silt/sim/mesh.h"
+
+namespace silt::sim {
+
+// A point on the surface at which light is stored. `position` is pulled a millimetre inwards on
+// the rim of a surface, out of the wall that it may touch there.
+struct SurfaceSample {
+  Vec3f position, normal;  // unit shading normal, on the front side of the triangles
+};
+
+// Where a value is looked up: Σ weight·value(sample).
+struct SurfaceLookup {
+  std::uint32_t sample[4];
+  float weight[4];
+};
+
+// Mesh colours (Yuksel, Keyser, House 2010) with rows: a triangle whose edges exceed the spacing
+// carries rows of samples parallel to its longest edge, as many in each row as its length asks for;
+// values are interpolated along the two nearest rows, then between them. A smaller triangle
+// carries its corners. Samples of equal position and normal are one, so that values continue from
+// triangle to triangle.
+class SurfaceGrid {
+ public:
+  SurfaceGrid(const Mesh& mesh, float spacing_m);
+
+  const std::vector<SurfaceSample>& samples() const { return samples_; }
+
+  // The point (1 − u − v)·p0 + u·p1 + v·p2 of a triangle.
+  SurfaceLookup Locate(std::uint32_t triangle, float u, float v) const;
+
+  // A triangle on which each sample lies, and where: what is known there can be had for a sample.
+  struct Origin {
+    std::uint32_t triangle;
+    float u, v;
+  };
+  const std::vector<Origin>& origins() const { return origins_; }
+
+ private:
+  friend class SurfaceGridBuilder;
+
+  static constexpr std::uint32_t kNoGrid = 0xffffffffu;
+  struct TriangleSamples {
+    std::uint32_t corner[3];
+    std::uint32_t grid = kNoGrid;  // index into grids_
+  };
+  struct Rows {
+    std::uint32_t first_row;  // index into row_begin_, which has count + 2 entries for it
+    std::uint16_t count;      // the apex is row `count`
+    std::uint16_t apex;       // corner opposite to the longest edge
+  };
+
+  std::vector<SurfaceSample> samples_;
+  std::vector<Origin> origins_;
+  std::vector<TriangleSamples> triangles_;
+  std::vector<Rows> grids_;
+  std::vector<std::uint32_t> row_begin_;    // into row_samples_
+  std::vector<std::uint32_t> row_samples_;  // sample numbers
+};
+
+}  // namespace silt::sim

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/sim/surface_grid_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace silt::sim {
+
+namespace {
+
+constexpr float kPullM = 1e-3f;
+constexpr float kMostIntervals = 4096;
+
+Vec3f SafelyNormalized(const Vec3f& v, const Vec3f& otherwise) {
+  const float norm = Norm(v);
+  return norm > 1e-12f ? (1 / norm) * v : otherwise;
+}
+
+int Intervals(float length_m, float spacing_m) {
+  return int(std::clamp(std::ceil(length_m / spacing_m), 1.0f, kMostIntervals));
+}
+
+}  // namespace
+
+std::size_t SurfaceGridBuilder::KeyHash::operator()(const Key& key) const {
+  std::uint64_t hash = 0;
+  for (const std::int32_t k : key) {
+    hash = (hash ^ std::uint32_t(k)) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 29;
+  }
+  return std::size_t(hash);
+}
+
+SurfaceGridBuilder::Corners SurfaceGridBuilder::CornersOf(const Triangle& triangle) const {
+  Corners c;
+  for (int i = 0; i < 3; ++i) c.position[i] = mesh_.positions[triangle.vertex[i]];
+  const Vec3f front = SafelyNormalized(
+      Cross(c.position[1] - c.position[0], c.position[2] - c.position[0]), {0, 0, 1});
+  for (int i = 0; i < 3; ++i) {
+    const Vec3f n = SafelyNormalized(mesh_.normals[triangle.vertex[i]], front);
+    c.normal[i] = Dot(n, front) < 0 ? -n : n;  // models disagree about which side is out
+  }
+  c.center = (1 / 3.0f) * (c.position[0] + c.position[1] + c.position[2]);
+  return c;
+}
+
+void SurfaceGridBuilder::Build() {
+  grid_.triangles_.reserve(mesh_.triangles.size());
+  known_.reserve(mesh_.positions.size());
+  for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+    const Corners corners = CornersOf(mesh_.triangles[i]);
+    const Vec3f(&p)[3] = corners.position;
+    const float longest = std::max({Norm(p[1] - p[0]), Norm(p[2] - p[1]), Norm(p[0] - p[2])});
+    SurfaceGrid::TriangleSamples& samples = grid_.triangles_.emplace_back();
+    samples.corner[0] = Sample(i, corners, {1, 0, 0});
+    samples.corner[1] = Sample(i, corners, {0, 1, 0});
+    samples.corner[2] = Sample(i, corners, {0, 0, 1});
+    if (longest > spacing_m_) LayRows(i, corners);
+  }
+  PullInwards();
+}
+
+void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners) {
+  const Vec3f(&p)[3] = corners.position;
+  int apex = 0;
+  float base = 0;
+  for (int i = 0; i < 3; ++i) {
+    const float length = Norm(p[(i + 2) % 3] - p[(i + 1) % 3]);
+    if (length > base) base = length, apex = i;
+  }
+  const float height = Norm(Cross(p[1] - p[0], p[2] - p[0])) / base;
+  const int count = Intervals(height, spacing_m_), columns = Intervals(base, spacing_m_);
+
+  grid_.triangles_[triangle].grid = std::uint32_t(grid_.grids_.size());
+  grid_.grids_.push_back(
+      {std::uint32_t(grid_.row_begin_.size()), std::uint16_t(count), std::uint16_t(apex)});
+  for (int row = 0; row <= count; ++row) {
+    grid_.row_begin_.push_back(std::uint32_t(grid_.row_samples_.size()));
+    const float up = float(row) / float(count);
+    const int intervals = row == count ? 0 : std::max(1, int(std::ceil(columns * (1 - up))));
+    for (int column = 0; column <= intervals; ++column) {
+      const float along = intervals == 0 ? 0 : float(column) / float(intervals);
+      float weight[3];
+      weight[apex] = up;
+      weight[(apex + 1) % 3] = (1 - up) * (1 - along);
+      weight[(apex + 2) % 3] = (1 - up) * along;
+      grid_.row_samples_.push_back(Sample(triangle, corners, {weight[0], weight[1], weight[2]}));
+    }
+  }
+  grid_.row_begin_.push_back(std::uint32_t(grid_.row_samples_.size()));
+}
+
+std::uint32_t SurfaceGridBuilder::Sample(std::uint32_t triangle, const Corners& c, const Vec3f& w) {
+  const Vec3f position = w.x * c.position[0] + w.y * c.position[1] + w.z * c.position[2];
+  const Vec3f normal =
+      SafelyNormalized(w.x * c.normal[0] + w.y * c.normal[1] + w.z * c.normal[2], c.normal[0]);
+  const auto cell = [](float x, float scale) { return std::int32_t(std::lround(x * scale)); };
+  const Key key{cell(position.x, 16e3f), cell(position.y, 16e3f), cell(position.z, 16e3f),
+                cell(normal.x, 32),      cell(normal.y, 32),      cell(normal.z, 32)};
+  const auto [entry, is_new] = known_.try_emplace(key, std::uint32_t(grid_.samples_.size()));
+  if (is_new) {
+    grid_.samples_.push_back({position, normal});
+    grid_.origins_.push_back({triangle, w.y, w.z});
+    inward_.push_back({});
+  }
+  const bool rim = w.x <= 0 || w.y <= 0 || w.z <= 0;
+  if (rim) {
+    const Vec3f way = c.center - position;
+    const float length = Norm(way);
+    if (length > 0) {
+      inward_[entry->second] += (std::min(1.0f, kPullM / length)) * way;
+    }
+  }
+  return entry->second;
+}
+
+void SurfaceGridBuilder::PullInwards() {
+  for (std::size_t i = 0; i < inward_.size(); ++i) {
+    SurfaceSample& sample = grid_.samples_[i];
+    // Along the surface only: off it, the point would leave a convex solid's skin.
+    const Vec3f way = inward_[i] - Dot(inward_[i], sample.normal) * sample.normal;
+    const float length = Norm(way);
+    if (length > 0) sample.position += (std::min(1.0f, kPullM / length)) * way;
+  }
+}
+
+}  // namespace silt::sim
