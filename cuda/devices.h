@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace silt::cuda {
+
+struct Device {
+  std::string name;
+  int major = 0, minor = 0;  // compute capability
+  std::size_t memory_bytes = 0;
+};
+
+// The GPUs that this process may use, in CUDA's order; none where there is no GPU or no driver.
+// Throws silt::Error where a driver is there and fails.
+std::vector<Device> DeviceList();
+
+}  // namespace silt::cuda
