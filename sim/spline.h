@@ -6,6 +6,7 @@
 
 #include "silt/core/se3.h"
 #include "silt/core/trajectory.h"
+#include "silt/sim/spline_basis.h"
 #include "silt/sim/time_jet.h"
 
 namespace silt::sim {
@@ -23,20 +24,19 @@ double PlainValue(const Jet& x) {
 // with Δⱼ = pⱼ − pⱼ₋₁ and dⱼ = log(Rⱼ₋₁⁻¹·Rⱼ) between its four control poses.
 struct SplineSegment {
   double start_s = 0, length_s = 1;
-  SE3d first;           // (R₀, p₀)
-  Twistd step[3];       // (dⱼ, Δⱼ)
-  double lambda[3][4];  // λⱼ(u) = Σₖ lambda[j][k]·uᵏ
+  SE3d first;      // (R₀, p₀)
+  Twistd step[3];  // (dⱼ, Δⱼ)
+  CumulativeBasis basis;
 
   template <typename T>
   SE3<T> At(const T& time_s) const {
     const T u = (time_s - T(start_s)) / T(length_s);
     SE3<T> pose = first.Cast<T>();
-    for (int j = 0; j < 3; ++j) {
-      const double* c = lambda[j];
-      const T l = T(c[0]) + u * (T(c[1]) + u * (T(c[2]) + u * T(c[3])));
-      const Vec3<T> d = step[j].omega.Cast<T>(), delta = step[j].v.Cast<T>();
-      pose.translation += l * delta;
-      pose.rotation = pose.rotation * Quaternion<T>::Exp(l * d);
+    for (int j = 1; j <= 3; ++j) {
+      const T lambda = basis.Lambda(j, u);
+      const Twistd& s = step[j - 1];
+      pose.translation += lambda * s.v.Cast<T>();
+      pose.rotation = pose.rotation * Quaternion<T>::Exp(lambda * s.omega.Cast<T>());
     }
     pose.rotation = pose.rotation.Normalized();
     return pose;
