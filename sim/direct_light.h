@@ -5,15 +5,8 @@
 #include <vector>
 
 #include "silt/sim/ray_tracer.h"
-#include "silt/sim/surface_grid.h"
 
 namespace silt::sim {
-
-// Irradiance on the two sides of a surface, in W/m² per unit of radiance; front is the side of the
-// sample's normal.
-struct TwoSided {
-  Vec3f front, back;
-};
 
 // Distance by which rays start off the surface that they leave.
 inline constexpr float kRayOffsetM = 5e-4f;

@@ -13,7 +13,8 @@ namespace silt::sim {
 // A point on the surface at which light is stored. `position` is pulled a millimetre inwards on
 // the rim of a surface, out of the wall that it may touch there.
 struct SurfaceSample {
-  Vec3f position, normal;  // unit shading normal, on the front side of the triangles
+  Vec3f position, normal;         // unit shading normal, on the front side of the triangles
+  bool on_wide_triangle = false;  // on one that carries rows
 };
 
 // Where a value is looked up: Σ weight·value(sample).

@@ -85,7 +85,9 @@ void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners)
       weight[apex] = up;
       weight[(apex + 1) % 3] = (1 - up) * (1 - along);
       weight[(apex + 2) % 3] = (1 - up) * along;
-      grid_.row_samples_.push_back(Sample(triangle, corners, {weight[0], weight[1], weight[2]}));
+      const std::uint32_t sample = Sample(triangle, corners, {weight[0], weight[1], weight[2]});
+      grid_.samples_[sample].on_wide_triangle = true;
+      grid_.row_samples_.push_back(sample);
     }
   }
   grid_.row_begin_.push_back(std::uint32_t(grid_.row_samples_.size()));

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/sim/light_cache.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+
+#include "silt/core/atomic_file.h"
+#include "silt/sim/content_hash.h"
+
+namespace silt::sim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Rises with every change of what SolveLight or SurfaceGrid compute.
+constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kDigestSize = 32;
+
+std::optional<fs::path> CacheFolder() {
+  const auto variable = [](const char* name) -> fs::path {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+  };
+  if (const fs::path cache = variable("XDG_CACHE_HOME"); cache.is_absolute()) return cache / "silt";
+  if (const fs::path home = variable("HOME"); home.is_absolute()) return home / ".cache" / "silt";
+  return std::nullopt;
+}
+
+void AddTextures(const Scene& scene, ContentHash& hash) {
+  hash.AddArray(MeanAlbedos(scene));
+  for (const Material& material : scene.materials) {
+    hash.Add(material.two_sided).Add(material.cutout);
+    if (!material.cutout || material.texture < 0) continue;
+    const Image<Rgba8>& picture = scene.textures[std::size_t(material.texture)].level(0);
+    hash.Add(picture.width()).AddBytes(picture.data(), picture.size() * sizeof(Rgba8));
+  }
+}
+
+std::string Checksum(const StoredLight& light) {
+  return ContentHash().AddArray(light.front).AddArray(light.back).Digest();
+}
+
+std::string_view Bytes(const std::vector<Vec3f>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Vec3f)};
+}
+
+}  // namespace
+
+std::optional<fs::path> LightCacheFile(const Scene& scene, const LightingOptions& options) {
+  const std::optional<fs::path> folder = CacheFolder();
+  if (!folder) return std::nullopt;
+  ContentHash hash;
+  hash.Add(kVersion).Add(options.direct_spacing_m).Add(options.indirect_spacing_m);
+  hash.Add(options.light_points).Add(options.wide_gather_directions);
+  hash.Add(options.small_gather_directions);
+  hash.AddArray(scene.mesh.positions).AddArray(scene.mesh.normals);
+  hash.AddArray(scene.mesh.texcoords).AddArray(scene.mesh.triangles);
+  hash.AddArray(scene.lights).AddBytes(&scene.ambient, sizeof(scene.ambient));
+  AddTextures(scene, hash);
+  return *folder / ("light-" + hash.Digest());
+}
+
+std::optional<StoredLight> ReadLight(const fs::path& file, std::size_t samples) {
+  std::ifstream in(file, std::ios::binary);
+  std::string checksum(kDigestSize, '\0');
+  StoredLight light{std::vector<Vec3f>(samples), std::vector<Vec3f>(samples)};
+  in.read(checksum.data(), kDigestSize);
+  for (std::vector<Vec3f>* values : {&light.front, &light.back}) {
+    in.read(reinterpret_cast<char*>(values->data()),
+            std::streamsize(values->size() * sizeof(Vec3f)));
+  }
+  if (!in || in.peek() != std::ifstream::traits_type::eof()) return std::nullopt;
+  if (checksum != Checksum(light)) return std::nullopt;
+  return light;
+}
+
+void WriteLight(const fs::path& file, const StoredLight& light) {
+  std::string contents = Checksum(light);
+  contents += Bytes(light.front);
+  contents += Bytes(light.back);
+  WriteFileAtomically(file, contents);
+}
+
+}  // namespace silt::sim
