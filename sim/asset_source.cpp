@@ -57,6 +57,7 @@ std::string BesideAsset(std::string_view base, std::string_view name) {
 
 std::optional<std::string> FolderSource::Find(std::string_view path) const {
   const std::string normal = NormalizedAssetPath(path);
+  if (normal.empty()) return {};
   std::error_code ignored;
   if (fs::is_regular_file(normal, ignored)) return fs::absolute(normal).string();
   fs::path found = "/";

@@ -3,19 +3,13 @@
 #include "silt/sim/scene.h"
 
 #include <algorithm>
-#include <exception>
-#include <map>
-#include <memory>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "silt/core/error.h"
-#include "silt/core/parallel.h"
-#include "silt/sim/archive_io.h"
-#include "silt/sim/model_import.h"
+#include "silt/sim/model_library.h"
 #include "silt/sim/model_placement.h"
-#include "silt/sim/picture.h"
+#include "silt/sim/picture_set.h"
 #include "silt/sim/primitives.h"
 #include "silt/sim/scene_file.h"
 
@@ -24,43 +18,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint8_t kHoleBelow = 128;  // opacity
-
 double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-// ParallelFor, such that of several errors the first in order is the one that is reported.
-void ParallelForInOrder(std::size_t n, const std::function<void(std::size_t)>& body) {
-  std::vector<std::exception_ptr> errors(n);
-  ParallelFor(int(n), [&](int i) {
-    try {
-      body(std::size_t(i));
-    } catch (...) {
-      errors[std::size_t(i)] = std::current_exception();
+void CheckOverrides(const ModelEntry& entry, const Model& model) {
+  for (const auto& [name, index] : entry.materials) {
+    const auto has_name = [&](const ModelMaterial& m) { return m.surface.name == name; };
+    if (name == "*" || std::any_of(model.materials.begin(), model.materials.end(), has_name)) {
+      continue;
     }
-  });
-  for (const std::exception_ptr& error : errors) {
-    if (error) std::rethrow_exception(error);
+    std::string known;
+    for (const ModelMaterial& m : model.materials) known += " '" + m.surface.name + "'";
+    throw Error(entry.place + ": the model has no material '" + name + "'; it has" + known);
   }
 }
 
-// Runs `body`, putting the place in the scene file before the message of its error.
-template <typename Body>
-auto AtPlace(const std::string& place, const Body& body) {
-  try {
-    return body();
-  } catch (const Error& e) {
-    throw Error(place + ": " + e.what());
-  }
-}
-
-bool HasHoles(const Image<Rgba8>& picture) {
-  return std::any_of(picture.begin(), picture.end(),
-                     [](const Rgba8& texel) { return texel.a < kHoleBelow; });
+ModelPlacement PlacementOf(const ModelEntry& entry) {
+  ModelPlacement placement;
+  placement.rotation = entry.rotation;
+  placement.z_up = entry.z_up;
+  placement.size = entry.size;
+  placement.scale = entry.scale;
+  placement.mirror = entry.mirror;
+  placement.yaw_rad = Radians(entry.yaw_deg);
+  placement.at = entry.at;
+  return placement;
 }
 
 class SceneBuilder {
  public:
-  explicit SceneBuilder(SceneFile file) : file_(std::move(file)) {}
+  explicit SceneBuilder(const SceneFile& file) : file_(file), library_(file) {}
 
   Scene Build() && {
     scene_.name = file_.name;
@@ -68,53 +54,24 @@ class SceneBuilder {
     scene_.exposure = file_.exposure;
     AddFileMaterials();
     AddPrimitives();
-    ImportModels();
-    for (const ModelEntry& entry : file_.models) AddModel(entry);
+    AddModels();
     for (const LightEntry& entry : file_.lights) AddLight(entry);
-    DecodePictures();
+    AddTextures();
     return std::move(scene_);
   }
 
  private:
-  // A picture waiting to be decoded.
-  struct Picture {
-    EncodedPicture encoded;
-    std::string place;  // in the scene file; empty: a model's, whose lack is only a warning
-    std::optional<Texture> texture;
-    bool has_holes = false;
-    std::string problem;
-  };
-
-  // A model and which scene material each of its own became, if it was used yet.
-  struct Imported {
-    Model model;
-    std::vector<int> scene_material;
-  };
-
-  using ModelKey = std::pair<std::string, std::string>;  // archive id, file
-
   void AddFileMaterials() {
     for (const MaterialEntry& entry : file_.materials) {
       Material material = entry.material;
       if (!entry.texture.empty()) {
-        const std::string name = entry.texture.string();
         EncodedPicture picture;
-        picture.place = fs::absolute(entry.texture).lexically_normal().string();
-        picture.colour = AtPlace(entry.place, [&] { return FolderSource().Read(name); });
-        material.texture = PictureIndex(picture, entry.place);
+        picture.place = entry.texture.string();
+        picture.colour = FolderSource().Read(picture.place);
+        material.texture = pictures_.Add(picture, entry.place);
       }
       scene_.materials.push_back(std::move(material));
     }
-  }
-
-  int PictureIndex(const EncodedPicture& picture, const std::string& place) {
-    for (std::size_t i = 0; i < pictures_.size(); ++i) {
-      if (!pictures_[i].encoded.IsSameAs(picture)) continue;
-      if (pictures_[i].place.empty()) pictures_[i].place = place;
-      return int(i);
-    }
-    pictures_.push_back({picture, place, {}, false, {}});
-    return int(pictures_.size()) - 1;
   }
 
   Cover CoverOf(int material) const {
@@ -152,69 +109,26 @@ class SceneBuilder {
     }
   }
 
-  // Opens each archive and reads each model once, however many entries use it.
-  void ImportModels() {
-    std::vector<const ModelEntry*> first_uses;
+  void AddModels() {
+    for (const Model& model : library_.models()) {
+      scene_material_.emplace_back(model.materials.size(), -1);
+      scene_.warnings.insert(scene_.warnings.end(), model.warnings.begin(), model.warnings.end());
+    }
     for (const ModelEntry& entry : file_.models) {
-      if (!models_.contains({entry.archive, entry.file})) first_uses.push_back(&entry);
-      models_[{entry.archive, entry.file}];
-      if (!entry.archive.empty() && !archives_.contains(entry.archive)) {
-        const ArchiveEntry& archive = file_.archives.at(entry.archive);
-        archives_[entry.archive] =
-            AtPlace(archive.place, [&] { return std::make_unique<Archive>(archive.file); });
+      const int index = library_.IndexOf(entry);
+      const Model& model = library_.models()[std::size_t(index)];
+      CheckOverrides(entry, model);
+      std::vector<MaterialUse> uses;
+      for (std::size_t i = 0; i < model.materials.size(); ++i) {
+        uses.push_back(UseOf(entry, index, i));
       }
-    }
-    ParallelForInOrder(first_uses.size(), [&](std::size_t i) {
-      const ModelEntry& entry = *first_uses[i];
-      Imported& imported = models_.at({entry.archive, entry.file});
-      imported.model =
-          AtPlace(entry.place, [&] { return ImportModel(SourceOf(entry), entry.file); });
-      imported.scene_material.assign(imported.model.materials.size(), -1);
-    });
-    for (const ModelEntry* entry : first_uses) {
-      for (const std::string& warning : models_.at({entry->archive, entry->file}).model.warnings) {
-        scene_.warnings.push_back(warning);
-      }
+      AddInstance(entry.name, [&] { AppendModel(scene_.mesh, model, PlacementOf(entry), uses); });
     }
   }
 
-  const AssetSource& SourceOf(const ModelEntry& entry) const {
-    if (entry.archive.empty()) return folder_;
-    return *archives_.at(entry.archive);
-  }
-
-  void AddModel(const ModelEntry& entry) {
-    Imported& imported = models_.at({entry.archive, entry.file});
-    CheckOverrides(entry, imported.model);
-    std::vector<MaterialUse> uses;
-    for (std::size_t i = 0; i < imported.model.materials.size(); ++i) {
-      uses.push_back(UseOf(entry, imported, i));
-    }
-    ModelPlacement placement;
-    placement.rotation = entry.rotation;
-    placement.z_up = entry.z_up;
-    placement.size = entry.size;
-    placement.scale = entry.scale;
-    placement.mirror = entry.mirror;
-    placement.yaw_rad = Radians(entry.yaw_deg);
-    placement.at = entry.at;
-    AddInstance(entry.name, [&] { AppendModel(scene_.mesh, imported.model, placement, uses); });
-  }
-
-  static void CheckOverrides(const ModelEntry& entry, const Model& model) {
-    for (const auto& [name, index] : entry.materials) {
-      const auto has_name = [&](const ModelMaterial& m) { return m.surface.name == name; };
-      if (name == "*" || std::any_of(model.materials.begin(), model.materials.end(), has_name)) {
-        continue;
-      }
-      std::string known;
-      for (const ModelMaterial& m : model.materials) known += " '" + m.surface.name + "'";
-      throw Error(entry.place + ": the model has no material '" + name + "', it has" + known);
-    }
-  }
-
-  MaterialUse UseOf(const ModelEntry& entry, Imported& imported, std::size_t index) {
-    const ModelMaterial& own = imported.model.materials[index];
+  MaterialUse UseOf(const ModelEntry& entry, int model_index, std::size_t material_index) {
+    const Model& model = library_.models()[std::size_t(model_index)];
+    const ModelMaterial& own = model.materials[material_index];
     auto replaced = entry.materials.find(own.surface.name);
     if (replaced == entry.materials.end() && !own.invisible) replaced = entry.materials.find("*");
     if (replaced != entry.materials.end()) {
@@ -222,15 +136,15 @@ class SceneBuilder {
       return {cover.material, false, cover.tile_m};
     }
     if (own.invisible) return {0, true, {}};
-    int& material = imported.scene_material[index];
-    if (material < 0) material = AddModelMaterial(imported.model, own.surface);
+    int& material = scene_material_[std::size_t(model_index)][material_index];
+    if (material < 0) material = AddModelMaterial(model, own.surface);
     return {std::uint32_t(material), false, {}};
   }
 
   int AddModelMaterial(const Model& model, Material surface) {
     const auto index = int(scene_.materials.size());
     if (surface.texture >= 0) {
-      surface.texture = PictureIndex(model.pictures[std::size_t(surface.texture)], "");
+      surface.texture = pictures_.Add(model.pictures[std::size_t(surface.texture)], "");
       if (model.picture_replaces_diffuse) white_under_picture_.push_back(index);
     }
     scene_.materials.push_back(std::move(surface));
@@ -246,62 +160,50 @@ class SceneBuilder {
     const Cover cover{std::uint32_t(scene_.materials.size()), {}};
     scene_.materials.push_back(std::move(material));
     AddInstance(entry.name, [&] {
-      AppendQuad(scene_.mesh, entry.center - entry.u - entry.v, 2.0 * entry.u, 2.0 * entry.v,
-                 cover);
+      const Vec3d corner = entry.center - entry.u - entry.v;
+      AppendQuad(scene_.mesh, corner, 2.0 * entry.u, 2.0 * entry.v, cover);
     });
     scene_.lights.push_back({entry.center.Cast<float>(), entry.u.Cast<float>(),
                              entry.v.Cast<float>(), entry.radiance.Cast<float>()});
   }
 
-  void DecodePictures() {
-    ParallelForInOrder(pictures_.size(), [this](std::size_t i) { Decode(pictures_[i]); });
-    std::vector<int> texture_of(pictures_.size(), -1);
-    for (std::size_t i = 0; i < pictures_.size(); ++i) {
-      if (!pictures_[i].texture) {
-        scene_.warnings.push_back(pictures_[i].problem);
-        continue;
-      }
-      texture_of[i] = int(scene_.textures.size());
-      scene_.textures.push_back(std::move(*pictures_[i].texture));
-    }
+  // Until here the materials' texture indices are those of pictures.
+  void AddTextures() {
+    std::vector<PictureSet::Decoded> decoded = std::move(pictures_).Decode();
     for (const int i : white_under_picture_) {
       Material& material = scene_.materials[std::size_t(i)];
-      if (texture_of[std::size_t(material.texture)] >= 0) material.diffuse = {1, 1, 1};
+      if (decoded[std::size_t(material.texture)].texture) material.diffuse = {1, 1, 1};
+    }
+    std::vector<int> texture_of(decoded.size(), -1);
+    for (std::size_t i = 0; i < decoded.size(); ++i) {
+      if (decoded[i].texture) {
+        texture_of[i] = int(scene_.textures.size());
+        scene_.textures.push_back(std::move(*decoded[i].texture));
+      } else {
+        scene_.warnings.push_back(decoded[i].problem + "; its plain colour is used");
+      }
     }
     for (Material& material : scene_.materials) {
       if (material.texture < 0) continue;
       const auto picture = std::size_t(material.texture);
-      material.cutout = material.cutout && pictures_[picture].has_holes;
+      material.cutout = material.cutout && decoded[picture].has_holes;
       material.texture = texture_of[picture];
     }
   }
 
-  static void Decode(Picture& picture) {
-    try {
-      Image<Rgba8> decoded = DecodePicture(picture.encoded);
-      picture.encoded = {};
-      picture.has_holes = HasHoles(decoded);
-      picture.texture.emplace(std::move(decoded));
-    } catch (const Error& e) {
-      picture.problem = e.what();
-      if (!picture.place.empty()) throw Error(picture.place + ": " + e.what());
-    }
-  }
-
-  SceneFile file_;
+  const SceneFile& file_;
+  ModelLibrary library_;
   Scene scene_;
-  FolderSource folder_;
-  std::map<std::string, std::unique_ptr<Archive>> archives_;  // by id
-  std::map<ModelKey, Imported> models_;
-  // Until DecodePictures(), the materials' texture indices point here.
-  std::vector<Picture> pictures_;
-  std::vector<int> white_under_picture_;  // materials
+  PictureSet pictures_;
+  std::vector<std::vector<int>> scene_material_;  // by model and its material; −1: not used yet
+  std::vector<int> white_under_picture_;          // materials whose picture replaces their colour
 };
 
 }  // namespace
 
-Scene LoadScene(const std::filesystem::path& file) {
-  return SceneBuilder(ReadSceneFile(file)).Build();
+Scene LoadScene(const fs::path& file) {
+  const SceneFile parsed = ReadSceneFile(file);
+  return SceneBuilder(parsed).Build();
 }
 
 }  // namespace silt::sim

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "silt/core/color.h"
 #include "silt/core/error.h"
+#include "silt/sim/scene_value.h"
 #include "silt/sim/toml_table.h"
 
 namespace silt::sim {
@@ -14,100 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kSegments = 48;
 constexpr std::array<const char*, 6> kBoxFaces{"top", "bottom", "front", "back", "left", "right"};
-
-int HexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-// "#rrggbb" to [0, 1], nothing where it is written differently.
-std::optional<Vec3f> ParseHexColour(const std::string& text) {
-  if (text.size() != 7 || text[0] != '#') return {};
-  float channels[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int high = HexDigit(text[1 + 2 * i]), low = HexDigit(text[2 + 2 * i]);
-    if (high < 0 || low < 0) return {};
-    channels[i] = float(16 * high + low) / 255.0f;
-  }
-  return Vec3f{channels[0], channels[1], channels[2]};
-}
-
-bool IsHexColourKey(const TomlTable& table, const std::string& key) {
-  try {
-    table.String(key);
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-// An sRGB-encoded colour, made linear.
-Vec3f ReadColour(const TomlTable& table, const std::string& key) {
-  Vec3f encoded;
-  if (IsHexColourKey(table, key)) {
-    const std::optional<Vec3f> parsed = ParseHexColour(table.String(key));
-    if (!parsed) table.Fail(key, "must look like \"#rrggbb\" or [r, g, b]");
-    encoded = *parsed;
-  } else {
-    encoded = table.Vector(key).Cast<float>();
-  }
-  for (const float c : {encoded.x, encoded.y, encoded.z}) {
-    if (c < 0 || c > 1) table.Fail(key, "must lie in 0..1");
-  }
-  return {LinearFromSrgb(encoded.x), LinearFromSrgb(encoded.y), LinearFromSrgb(encoded.z)};
-}
-
-Vec3d ReadRadiance(const TomlTable& table, const std::string& key) {
-  const Vec3d radiance = table.Vector(key);
-  if (radiance.x < 0 || radiance.y < 0 || radiance.z < 0) table.Fail(key, "must not be negative");
-  return radiance;
-}
-
-double ReadPositive(const TomlTable& table, const std::string& key) {
-  const double value = table.Number(key);
-  if (value <= 0) table.Fail(key, "must be above 0");
-  return value;
-}
-
-Vec3d ReadSize(const TomlTable& table) {
-  const Vec3d size = table.Vector("size");
-  if (size.x <= 0 || size.y <= 0 || size.z <= 0)
-    table.Fail("size", "must be above 0 in x, y and z");
-  return size;
-}
-
-int ReadSegments(const TomlTable& table) {
-  const int segments = table.Integer("segments", 48);
-  if (segments < 3 || segments > 1024) table.Fail("segments", "must lie in 3..1024");
-  return segments;
-}
-
-// Reads edges u and v that must span an area.
-void ReadEdges(const TomlTable& table, Vec3d& u, Vec3d& v) {
-  u = table.Vector("u");
-  v = table.Vector("v");
-  if (Norm(Cross(u, v)) <= 1e-9 * (1e-12 + Norm(u) * Norm(v))) {
-    table.Fail("v", "must span an area together with u");
-  }
-}
-
-Mat3d ReadRotation(const TomlTable& table) {
-  if (!table.Has("rotation")) return ModelEntry{}.rotation;
-  const std::vector<double> m = table.Numbers("rotation", 9);
-  const Mat3d rotation{{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}}};
-  const Mat3d product = rotation * Transposed(rotation);
-  const Mat3d identity = ModelEntry{}.rotation;
-  double error = 0;
-  for (int i = 0; i < 3; ++i) error = std::max(error, Norm(product.row[i] - identity.row[i]));
-  const double determinant = Dot(rotation.row[0], Cross(rotation.row[1], rotation.row[2]));
-  if (error > 1e-3 || determinant < 0) {
-    table.Fail("rotation", "must be a rotation matrix, row by row");
-  }
-  return rotation;
-}
 
 class SceneReader {
  public:
@@ -142,14 +50,14 @@ class SceneReader {
     if (root_.Has("exposure")) scene_.exposure = ReadPositive(root_, "exposure");
   }
 
-  // A path in the scene file that must name an existing file.
+  // A path in the scene file that must name an existing file, made absolute.
   fs::path ReadFilePath(const TomlTable& table, const std::string& key) const {
     const fs::path file = folder_ / table.String(key);
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) {
       table.Fail(key, "names no file: there is no " + file.string());
     }
-    return file;
+    return fs::canonical(file);
   }
 
   std::string ReadName(const TomlTable& table, const std::string& kind, std::size_t number) const {
@@ -219,7 +127,7 @@ class SceneReader {
       }
       entry.faces[std::size_t(found - kBoxFaces.begin())] = MaterialIndex(table, "faces", material);
     }
-    entry.size = ReadSize(table);
+    entry.size = ReadSize(table, "size");
     entry.at = table.Vector("at", {});
     entry.yaw_deg = table.Number("yaw_deg", 0);
     table.RejectUnknownKeys();
@@ -231,7 +139,9 @@ class SceneReader {
     entry.name = ReadName(table, "quad", scene_.quads.size() + 1);
     entry.material = ReadMaterialName(table);
     entry.corner = table.Vector("corner");
-    ReadEdges(table, entry.u, entry.v);
+    const Edges edges = ReadEdges(table);
+    entry.u = edges.u;
+    entry.v = edges.v;
     table.RejectUnknownKeys();
     scene_.quads.push_back(std::move(entry));
   }
@@ -242,7 +152,7 @@ class SceneReader {
     entry.material = ReadMaterialName(table);
     entry.center = table.Vector("center");
     entry.radius = ReadPositive(table, "radius");
-    entry.segments = ReadSegments(table);
+    entry.segments = ReadSegments(table, "segments", kSegments);
     table.RejectUnknownKeys();
     scene_.spheres.push_back(std::move(entry));
   }
@@ -254,14 +164,14 @@ class SceneReader {
     entry.at = table.Vector("at", {});
     entry.radius = ReadPositive(table, "radius");
     entry.height = ReadPositive(table, "height");
-    entry.segments = ReadSegments(table);
+    entry.segments = ReadSegments(table, "segments", kSegments);
     table.RejectUnknownKeys();
     scene_.cylinders.push_back(std::move(entry));
   }
 
   void ReadModelSource(const TomlTable& table, ModelEntry& entry) const {
     if (!table.Has("archive")) {
-      entry.file = fs::absolute(ReadFilePath(table, "file")).lexically_normal().string();
+      entry.file = ReadFilePath(table, "file").string();
       return;
     }
     entry.archive = table.String("archive");
@@ -275,7 +185,7 @@ class SceneReader {
     const std::string up = table.String("up", "y");
     if (up != "y" && up != "z") table.Fail("up", "must be \"y\" or \"z\"");
     entry.z_up = up == "z";
-    entry.rotation = ReadRotation(table);
+    entry.rotation = ReadRotation(table, "rotation");
     entry.mirror = table.Bool("mirror", false);
   }
 
@@ -284,7 +194,7 @@ class SceneReader {
     entry.name = ReadName(table, "model", scene_.models.size() + 1);
     entry.place = table.PlaceOf("file");
     ReadModelSource(table, entry);
-    if (table.Has("size")) entry.size = ReadSize(table);
+    if (table.Has("size")) entry.size = ReadSize(table, "size");
     if (table.Has("scale")) {
       entry.scale = ReadPositive(table, "scale");
       if (entry.size) table.Fail("scale", "and size exclude each other: remove one");
@@ -303,7 +213,9 @@ class SceneReader {
     LightEntry entry;
     entry.name = ReadName(table, "light", scene_.lights.size() + 1);
     entry.center = table.Vector("center");
-    ReadEdges(table, entry.u, entry.v);
+    const Edges edges = ReadEdges(table);
+    entry.u = edges.u;
+    entry.v = edges.v;
     entry.radiance = ReadRadiance(table, "radiance");
     table.RejectUnknownKeys();
     scene_.lights.push_back(std::move(entry));

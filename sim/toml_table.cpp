@@ -87,6 +87,10 @@ bool TomlTable::Has(const std::string& key) const {
   return state_->table->contains(key);
 }
 
+bool TomlTable::IsString(const std::string& key) const {
+  return Has(key) && state_->table->get(key)->is_string();
+}
+
 std::string TomlTable::place() const { return Place(state_->file, *state_->table); }
 
 std::string TomlTable::PlaceOf(const std::string& key) const {

@@ -24,6 +24,7 @@ class TomlTable {
   static TomlTable Parse(const std::string& text, const std::string& file);
 
   bool Has(const std::string& key) const;
+  bool IsString(const std::string& key) const;
 
   // The key's value; the second form gives `fallback` where the key is absent.
   std::string String(const std::string& key) const;
