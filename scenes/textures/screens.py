@@ -161,7 +161,7 @@ def window_view():
     sky = mix(sky, (252, 252, 252), 0.85 * smoothstep(0.2, 1.9, cloud) * smoothstep(0.62, 0.3, y))
     rows = np.arange(height)[:, None]
     for i in range(3):
-        top = height * (0.46 + 0.05 * i) + (36 - 8 * i) * spectral((1, width), 1310 + i, 1.3)[0]
+        top = height * (0.46 + 0.05 * i) + (40 - 8 * i) * spectral((1, width), 1310 + i, 1.75)[0]
         color = np.array(((150, 172, 190), (120, 150, 140), (92, 124, 88))[i])
         field = color * (1 + 0.12 * spectral((height, width), 1320 + i, 0.8, low=12))[..., None]
         sky = mix(sky, field, smoothstep(0, 2, rows - top[None, :]))

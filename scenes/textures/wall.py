@@ -130,7 +130,7 @@ def mountains():
     rgb = mix(rgb, (252, 224, 190), 0.5 * smoothstep(0.5, 2.0, cloud))
     rows = np.arange(height)[:, None]
     for i in range(6):
-        ridge = spectral((1, width), 1110 + i, 1.15)[0]
+        ridge = spectral((1, width), 1110 + i, 1.45)[0]
         top = height * (0.36 + 0.1 * i) + (44 - 4 * i) * ridge
         color = np.array((118, 128, 160)) * (1 - i / 7.0) + np.array((14, 30, 36)) * (i / 7.0)
         texture = 1.0 + 0.13 * spectral((height, width), 1120 + i, 0.9, (0.5, 1.0), low=6)

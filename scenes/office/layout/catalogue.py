@@ -21,6 +21,7 @@ _MODELS = {
     "augalas": ("cc0", 60.9, 34.9, 31.5, "MZiemys"),
     "bandeja": ("scopia", 26.9, 37.8, 6.5, "Scopia"),
     "basketball": ("cc0", 23.8, 23.8, 23.8, "SEspider"),
+    "bonsai-tree": ("scopia", 44.5, 38.2, 42.9, "Scopia"),
     "book": ("ccby", 28.1, 18.4, 2.4, "Jay-Artist"),
     "bookcase": ("ccby", 166.4, 33.1, 186.4, "Gerardbelnder"),
     "caffe_final": ("cc0", 10, 10, 4.3, "Reduno"),

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 """The north side: the desk around which the desk trajectory moves, and what stands beside it."""
 
-from pieces import binder_row, book_pile, book_row, bookshelf, drawers, monitor, pinned
+from pieces import binder_row, book_pile, book_row, bookshelf, drawers, framed, monitor, pinned
 from room import NORTH
 from writer import Place
 
 TOP = 0.754
 DESK = Place(2.45, 5.47, 0)
+BOOKCASE_GAPS = (0.101, 0.446, 1.132)  # boards that the model leaves empty
 
 
 def add_desk(scene):
@@ -33,17 +34,17 @@ def _screens(scene, top):
 
 
 def _papers(scene, top):
-    sheets = (("paper 1", -0.42, -0.2, 14), ("paper 4", -0.56, -0.26, -9), ("paper 3", -0.36, -0.34, 27),
-              ("paper 6", 0.62, -0.3, -17), ("paper 2", 0.58, -0.16, 8), ("paper 7", -0.63, 0.05, 38),
-              ("paper 8", 0.68, 0.05, -32), ("paper 5", 0.1, -0.37, 5))
+    sheets = (("paper 1", -0.42, -0.2, 14), ("paper 4", -0.57, -0.25, -9), ("paper 3", -0.36, -0.28, 27),
+              ("paper 6", 0.61, -0.28, -17), ("paper 2", 0.58, -0.16, 8), ("paper 7", -0.6, 0.05, 38),
+              ("paper 8", 0.63, 0.05, -32), ("paper 5", 0.15, -0.13, 5))
     for i, (picture, x, y, yaw) in enumerate(sheets):
-        scene.sheet(f"sheet {i}", picture, (0.21, 0.297), top, (x, y, 0.0007 * (i + 1)), yaw)
+        scene.sheet(f"sheet {i}", picture, (0.21, 0.297), top, (x, y, 0.0003 * (i + 1)), yaw)
     scene.sheet("notebook", "notebook", (0.29, 0.205), top, (-0.38, -0.1, 0.008), 9)
     scene.box("notebook body", "board", (0.29, 0.205, 0.0072), top, (-0.38, -0.1, 0), 9)
     stickies = ((0.02, -0.1, 12), (0.11, -0.115, -8), (0.52, -0.33, 20), (-0.2, -0.33, -25), (0.66, -0.22, 15))
     for i, (x, y, yaw) in enumerate(stickies):
-        scene.sheet(f"note {i}", f"sticky {i % 4 + 1}", (0.076, 0.076), top, (x, y, 0.0075), yaw)
-    scene.model("newspaper", "newspaper", top, (0.62, -0.02, 0.004), 12, size=(0.27, 0.24, 0.012))
+        scene.sheet(f"note {i}", f"sticky {i % 4 + 1}", (0.076, 0.076), top, (x, y, 0.003 + 0.0002 * i), yaw)
+    scene.model("newspaper", "newspaper", top, (0.62, -0.02, 0.0025), 12, size=(0.27, 0.24, 0.012))
 
 
 def _things(scene, top):
@@ -56,16 +57,16 @@ def _things(scene, top):
     scene.model("pens", "penbox", top, (-0.46, 0.34, 0))
     scene.model("calendar", "kalender", top, (0.04, 0.28, 0), 4)
     scene.model("stapler", "stapler", top, (0.27, -0.06, 0), 65)
-    scene.model("scissors", "cissors_swap", top, (-0.24, -0.4, 0.006), 28)
-    scene.model("text marker", "textMarker", top, (-0.44, -0.33, 0.006), 70)
+    scene.model("scissors", "cissors_swap", top, (-0.24, -0.36, 0.003), 28)
+    scene.model("text marker", "textMarker", top, (-0.44, -0.33, 0.003), 70)
     scene.model("cube", "rubix2", top, (0.24, 0.05, 0), 25)
     scene.model("succulent", "succulentPlant", top, (-0.03, 0.39, 0))
     scene.model("photograph", "frame1", top, (0.44, 0.4, 0), -15)
-    scene.model("telephone", "phone", top, (-0.6, -0.1, 0.012), 22)
+    scene.model("telephone", "phone", top, (-0.6, -0.1, 0.003), 22)
     scene.model("glasses", "glasses", top, (-0.32, -0.13, 0.009), 160)
-    scene.model("keys", "keys", top, (0.74, -0.4, 0.006))
+    scene.model("keys", "keys", top, (0.72, -0.36, 0.003))
     for i, (x, y, yaw) in enumerate(((0.2, -0.33, 62), (0.56, -0.22, 110), (-0.4, -0.12, 20), (-0.5, -0.36, 85))):
-        scene.model(f"pen {i}", "pencil1", top, (x, y, 0.0095), yaw)
+        scene.model(f"pen {i}", "pencil1", top, (x, y, 0.003 if y < -0.15 else 0.0078), yaw)
 
 
 def _wall(scene):
@@ -92,6 +93,13 @@ def _beside(scene):
     scene.model("printer", "inkjet_and_scanner_printer", Place(3.56, 5.7, 0.76))
     scene.sheet("printed page", "paper 2", (0.21, 0.297), Place(3.55, 5.62, 0.9505), (0, 0, 0), 6)
     scene.model("bookcase", "full-bookcase", Place(4.3, 5.81))
+    for i, z in enumerate(BOOKCASE_GAPS):
+        row = Place(4.3 - 0.41, 5.81 - 0.13, z)
+        if i < 2:
+            binder_row(scene, f"bookcase row {i}", row, (10, 7)[i], 50 + i, 2 * i)
+        else:
+            book_row(scene, f"bookcase row {i}", row, 0.82, 52, 0.75)
+    book_pile(scene, "bookcase pile", Place(4.57, 5.82, BOOKCASE_GAPS[1]), 53, 5)
     place = Place(5.25, 5.8)
     boards = bookshelf(scene, "binder case", place, (0.95, 0.34, 2.05), 5)
     for i, z in enumerate(boards):
@@ -101,6 +109,21 @@ def _beside(scene):
         else:
             book_row(scene, f"case row {i}", row, 0.88, 40 + i, 0.9)
     scene.model("carton", "cardboard-box", Place(5.25, 5.8, 2.05), size=(0.5, 0.3, 0.27))
-    scene.model("yucca", "yuccaPlant", Place(0.62, 5.38))
+    _corner(scene)
     scene.model("bin", "dustbin", Place(3.2, 4.98))
     scene.model("open carton", "open-cardboard-box", Place(4.05, 5.1), yaw_deg=25, size=(0.6, 0.46, 0.34))
+
+
+def _corner(scene):
+    """Between desk and window: a low case under small pictures, the yucca before it."""
+    scene.model("yucca", "yuccaPlant", Place(0.56, 5.3))
+    place = Place(1.26, 5.84)
+    boards = bookshelf(scene, "corner case", place, (0.7, 0.3, 0.78), 2)
+    book_row(scene, "corner row 0", place.child(-0.32, -0.12, boards[0]), 0.64, 55)
+    binder_row(scene, "corner row 1", place.child(-0.32, -0.14, boards[1]), 5, 56, 3)
+    book_pile(scene, "corner shelf pile", place.child(0.19, 0.02, boards[1], 5), 57, 4)
+    top = place.child(0, 0, 0.78)
+    book_pile(scene, "corner pile", top.child(-0.2, 0, 0, 12), 58, 4)
+    scene.model("corner plant", "bonsai-tree", top, (0.12, 0, 0), 30, size=(0.36, 0.3, 0.34))
+    framed(scene, "small map", "poster map", (0.34, 0.275), NORTH, (0.42, 0, 1.15), "walnut", 0.02)
+    framed(scene, "small print", "print mountains", (0.34, 0.25), NORTH, (0.42, 0, 0.72), "walnut", 0.02)

@@ -110,7 +110,7 @@ def framed(scene, name, picture, size, place, at, frame="walnut", border=0.028):
 def pinned(scene, name, picture, size, place, at):
     """An unframed poster with four pins."""
     x, y, z = at
-    scene.hung(name, picture, size, place, (x, y - 0.003, z))
+    scene.hung(name, picture, size, place, (x, y - 0.0004, z))
     for i, (dx, dz) in enumerate(((-1, 0), (1, 0), (-1, 1), (1, 1))):
         scene.sphere(f"{name} pin {i}", "pin", 0.007, place,
                      (x + dx * (size[0] / 2 - 0.02), y - 0.006, z + 0.02 + dz * (size[1] - 0.04)), 12)

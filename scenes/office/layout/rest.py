@@ -18,7 +18,8 @@ def add_rest(scene):
 
 
 def _second_desk(scene):
-    scene.model("second desk", "officeTable", DESK, yaw_deg=180)
+    scene.model("second desk", "officeTable", DESK, yaw_deg=180,
+                materials={"Material.001": "dark metal", "Material.003": "beech", "drawer_lock": "cabinet"})
     scene.model("second chair", "office_chair", Place(2.85, 2.2), yaw_deg=75,
                 materials={"tela_sillon_azul": "red fabric", "plastico_negro": "dark plastic"})
     scene.model("visitor's chair", "osakaChair", Place(4.75, 2.55), yaw_deg=-70)
@@ -28,7 +29,7 @@ def _second_desk(scene):
     for i, (picture, x, y, yaw) in enumerate((("paper 2", 0.42, -0.2, 12), ("paper 5", 0.5, -0.12, -20),
                                               ("paper 3", 0.72, -0.18, 8), ("paper 6", -0.35, -0.24, -10),
                                               ("paper 4", -0.62, -0.2, 25), ("paper 8", 0.75, 0.15, 50))):
-        scene.sheet(f"second desk sheet {i}", picture, (0.21, 0.297), top, (x, y, 0.0007 * (i + 1)), yaw)
+        scene.sheet(f"second desk sheet {i}", picture, (0.21, 0.297), top, (x, y, 0.0003 * (i + 1)), yaw)
     scene.model("book", "book", top, (0.52, 0.2, 0), 10)
     scene.model("red lamp", "desk_lamp2", top, (0.8, 0.28, 0), 160)
     scene.model("teapot", "teapot", top, (-0.15, 0.28, 0), 30)
@@ -41,7 +42,16 @@ def _second_desk(scene):
 
 
 def _east(scene):
-    scene.model("lockers", "office_box", EAST.child(1.55, -0.285))
+    scene.model("lockers", "office_box", EAST.child(1.55, -0.285),
+                materials={"armario_beige.001": "locker", "taronja": "dark metal"})
+    front = EAST.child(1.55, -0.5528)
+    for i, (picture, x, z, w, h) in enumerate((
+            ("paper 4", -0.82, 0.98, 0.21, 0.297), ("poster concert", -0.42, 0.72, 0.42, 0.6), ("sticky 1", -0.62, 1.36, 0.076, 0.076),
+            ("paper 7", -0.08, 1.2, 0.21, 0.297), ("poster chart", 0.42, 0.98, 0.6, 0.427), ("sticky 3", 0.0, 1.03, 0.076, 0.076),
+            ("paper 1", 0.03, 0.62, 0.21, 0.297), ("poster map", 0.55, 0.32, 0.62, 0.5), ("paper 5", 0.9, 1.1, 0.21, 0.297),
+            ("sticky 2", 0.86, 0.95, 0.076, 0.076), ("paper 3", -0.2, 0.25, 0.21, 0.297))):
+        scene.hung(f"locker sheet {i}", picture, (w, h), front, (x, 0, z))
+        scene.sphere(f"locker magnet {i}", "pin blue" if i % 2 else "pin", 0.009, front, (x, -0.005, z + h - 0.02), 12)
     top = EAST.child(1.55, -0.285, 1.749)
     scene.model("locker carton", "cardboard-box", top, (-0.6, 0, 0), 8)
     scene.model("projector", "video-projector", top, (0.1, 0.02, 0), -10)

@@ -77,12 +77,12 @@ def _window(scene):
 def _daylight(scene):
     """The town is a picture some way off; the sky is a light above what the window shows of it."""
     scene.table("quad", "outside", name="town", material="town", corner=(-5, -4.0, -4.3), u=(0, 15.2, 0), v=(0, 0, 11.4))
-    scene.table("light", name="sky", center=(-1.6, 3.6, 3.9), u=(0, 2.4, 0), v=(0.62, 0, 0.62 * 1.2), radiance=(15, 16.5, 18.5))
+    scene.table("light", name="sky", center=(-1.6, 3.6, 3.9), u=(0, 2.4, 0), v=(0.62, 0, 0.62 * 1.2), radiance=(27, 29, 32))
 
 
 def _panel(scene, number, x, y):
     scene.table("light", "ceiling panels" if number == 0 else None, name=f"panel {number}", center=(x, y, HEIGHT - 0.012),
-                u=(0.58, 0, 0), v=(0, -0.28, 0), radiance=(5.2, 5.0, 4.6))
+                u=(0.58, 0, 0), v=(0, -0.28, 0), radiance=(9.2, 8.8, 8.1))
     for name, dx, dy, w, d in (("a", 0, 0.295, 1.2, 0.03), ("b", 0, -0.295, 1.2, 0.03), ("c", 0.59, 0, 0.02, 0.56),
                                ("d", -0.59, 0, 0.02, 0.56)):
         scene.box(f"panel {number} rim {name}", "white", (w, d, 0.02), Place(x + dx, y + dy, HEIGHT - 0.02))
@@ -90,7 +90,7 @@ def _panel(scene, number, x, y):
 
 def _door(scene):
     door = SOUTH.child(1.1, 0)
-    scene.model("door", "door", door, (0, -0.02, 0), materials={"white-door": "beech", "white-frame": "white",
+    scene.model("door", "door", door, (0, -0.02, 0), materials={"white-door": "beech upright", "white-frame": "white",
                                                                  "metal-handle": "metal"})
     scene.model("exit sign", "emergencySign", door, (0, -0.02, 2.2))
     scene.model("light switch", "switch-whites", SOUTH, (1.85, -0.006, 1.05))
