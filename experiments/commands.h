@@ -17,7 +17,13 @@ struct Invocation {
 
 // Each adds one subcommand, which runs when the command line has been parsed and throws silt::Error
 // where it fails.
+void AddRenderCommand(CLI::App& program, const Invocation& invocation);
+void AddTrackCommand(CLI::App& program, const Invocation& invocation);
 void AddEvaluateCommand(CLI::App& program, const Invocation& invocation);
+void AddExperimentCommand(CLI::App& program, const Invocation& invocation);
 void AddInfoCommand(CLI::App& program, const Invocation& invocation);
+
+// Subcommands of `experiment`.
+void AddAccuracyExperiment(CLI::App& experiments, const Invocation& invocation);
 
 }  // namespace silt::experiments

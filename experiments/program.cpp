@@ -60,7 +60,10 @@ void AddCommands(CLI::App& app, const Invocation& invocation) {
   app.footer(
       "Each command tells more with --help. A first try:\n"
       "  silt experiment accuracy --out results/accuracy");
+  AddRenderCommand(app, invocation);
+  AddTrackCommand(app, invocation);
   AddEvaluateCommand(app, invocation);
+  AddExperimentCommand(app, invocation);
   AddInfoCommand(app, invocation);
 }
 

@@ -14,6 +14,7 @@
 #include "silt/sim/assimp_io.h"
 #include "silt/sim/assimp_material.h"
 #include "silt/sim/assimp_mesh.h"
+#include "silt/sim/duplicate_triangles.h"
 
 namespace silt::sim {
 namespace {
@@ -34,6 +35,11 @@ std::string OneLine(std::string text) {
 bool IsGltf(const std::string& name) {
   const std::string lower = LowerCase(name);
   return lower.ends_with(".gltf") || lower.ends_with(".glb");
+}
+
+void RemoveDuplicates(Model& model) {
+  RemoveDuplicateTriangles(
+      model.mesh, [&](const Triangle& t) { return !model.materials[t.material].invisible; });
 }
 
 // A model of glass alone is more likely one whose exporter wrote opacity the wrong way round.
@@ -73,6 +79,7 @@ Model ImportModel(const AssetSource& source, const std::string& path) {
   }
   if (model.mesh.triangles.empty())
     throw Error(place + ": has no surface: no triangle with an area");
+  RemoveDuplicates(model);
   KeepSomethingVisible(model, place);
   return model;
 }

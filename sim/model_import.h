@@ -30,10 +30,10 @@ struct Model {
 };
 
 // Reads any format that assimp knows, with the files that it names (materials, pictures, buffers)
-// from the same source. Triangles without area or with coordinates that are not finite are left
-// out; nodes are flattened, mirrored ones turned outward again. Colours are taken as sRGB-encoded,
-// those of glTF as linear. Throws silt::Error where there is no such model, or it is damaged or
-// empty.
+// from the same source. Triangles without area, with coordinates that are not finite, or in the
+// place of another are left out; nodes are flattened, mirrored ones turned outward again. Colours
+// are taken as sRGB-encoded, those of glTF as linear. Throws silt::Error where there is no such
+// model, or it is damaged or empty.
 Model ImportModel(const AssetSource& source, const std::string& path);
 
 }  // namespace silt::sim

@@ -115,9 +115,9 @@ def cardboard():
 def plastic():
     """Fine-grained moulded plastic or powder-coated metal with wear; neutral, to be tinted."""
     n = 512
-    level = 1.0 + 0.035 * spectral((n, n), 71, 0.2, low=60) + 0.03 * spectral((n, n), 72, 1.4)
+    level = 1.0 + 0.035 * spectral((n, n), 71, 0.2, low=60) + 0.014 * spectral((n, n), 72, 1.4)
     wear = smoothstep(1.7, 2.6, spectral((n, n), 73, 0.9, (1.0, 3.0), low=3))
-    return tint(level + 0.10 * wear, (215, 215, 215))
+    return tint(level + 0.07 * wear, (215, 215, 215))
 
 
 def concrete():

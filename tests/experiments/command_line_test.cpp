@@ -114,7 +114,8 @@ TEST(InfoCommand, NamesTheBuild) {
 }
 
 TEST(Help, IsGivenForEachCommandOnStandardOutput) {
-  for (const std::string command : {"", "evaluate", "info"}) {
+  for (const std::string command :
+       {"", "render", "track", "evaluate", "experiment accuracy", "info"}) {
     const ProgramResult result = RunSilt(command + " --help");
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(result.error, "");

@@ -139,6 +139,24 @@ TEST(PathFile, BrokenFilesAreErrorsWithTheirLine) {
   ExpectError("hand_shake = 1\n" + kTwoKeys, 1, "[hand_shake]");
 }
 
+// The path on which the paper's accuracy is measured, and a second one through the same room.
+TEST(PathFile, TheOfficesPathsMoveLikeAHandHeldCamera) {
+  const std::filesystem::path office = SILT_SOURCE_DIR "/scenes/office";
+  const PathStatistics desk = LoadCameraPath(office / "desk.toml").Statistics();
+  EXPECT_NEAR(desk.duration_s, 30, 0.5);
+  EXPECT_NEAR(desk.length_m, 6.93, 0.02);
+  EXPECT_NEAR(desk.mean_speed_m_s, 0.23, 0.01);
+  for (const char* name : {"desk.toml", "tour.toml"}) {
+    SCOPED_TRACE(name);
+    const PathStatistics path = LoadCameraPath(office / name).Statistics();
+    EXPECT_NEAR(path.mean_turn_deg_s, 15, 2);
+    EXPECT_LT(path.max_speed_m_s, 0.6);
+    EXPECT_LT(path.max_turn_deg_s, 60);
+    EXPECT_GT(path.lowest.z, 0.5);
+    EXPECT_LT(path.highest.z, 2.2);
+  }
+}
+
 TEST(PathFile, ThatCannotBeReadIsAnError) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "silt_path_file_test";
   std::filesystem::create_directories(folder);

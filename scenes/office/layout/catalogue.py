@@ -32,7 +32,7 @@ _MODELS = {
     "coffee_cup": ("ccby", 8.5, 8.5, 13, "Dzerbs"),
     "coffee_machine": ("scopia", 58.2, 40.2, 36.4, "Scopia"),
     "coffeeBrewer": ("cc0", 13.4, 38.5, 27.2, "TreyClaine"),
-    "couch": ("cc0", 207.4, 87.6, 85.6, "TowerCG"),
+    "couch": ("cc0", 207.4, 87.6, 85.6, "JosephBennett (TowerCG)"),
     "curtain": ("scopia", 130, 5, 225, "Scopia"),
     "desk_lamp1": ("scopia", 13.7, 34.2, 45, "Scopia"),
     "desk_lamp2": ("scopia", 22.5, 41.7, 40, "Scopia"),

@@ -34,14 +34,14 @@ def _screens(scene, top):
 
 
 def _papers(scene, top):
-    sheets = (("paper 1", -0.42, -0.2, 14), ("paper 4", -0.57, -0.25, -9), ("paper 3", -0.36, -0.28, 27),
-              ("paper 6", 0.61, -0.28, -17), ("paper 2", 0.58, -0.16, 8), ("paper 7", -0.6, 0.05, 38),
+    sheets = (("paper 1", -0.42, -0.2, 14), ("paper 4", -0.57, -0.25, -9), ("paper 3", -0.36, -0.22, 27),
+              ("paper 6", 0.62, -0.15, -17), ("paper 2", 0.6, -0.08, 8), ("paper 7", -0.6, 0.05, 38),
               ("paper 8", 0.63, 0.05, -32), ("paper 5", 0.15, -0.13, 5))
     for i, (picture, x, y, yaw) in enumerate(sheets):
         scene.sheet(f"sheet {i}", picture, (0.21, 0.297), top, (x, y, 0.0003 * (i + 1)), yaw)
     scene.sheet("notebook", "notebook", (0.29, 0.205), top, (-0.38, -0.1, 0.008), 9)
     scene.box("notebook body", "board", (0.29, 0.205, 0.0072), top, (-0.38, -0.1, 0), 9)
-    stickies = ((0.02, -0.1, 12), (0.11, -0.115, -8), (0.52, -0.33, 20), (-0.2, -0.33, -25), (0.66, -0.22, 15))
+    stickies = ((0.02, -0.1, 12), (0.11, -0.115, -8), (0.5, -0.24, 20), (-0.2, -0.31, -25), (0.69, -0.2, 15))
     for i, (x, y, yaw) in enumerate(stickies):
         scene.sheet(f"note {i}", f"sticky {i % 4 + 1}", (0.076, 0.076), top, (x, y, 0.003 + 0.0002 * i), yaw)
     scene.model("newspaper", "newspaper", top, (0.62, -0.02, 0.0025), 12, size=(0.27, 0.24, 0.012))
@@ -52,20 +52,20 @@ def _things(scene, top):
     book_pile(scene, "pile left", top.child(-0.66, 0.12, 0, 6), 3, 5)
     book_pile(scene, "pile right", top.child(0.66, 0.3, 0, -8), 5, 4)
     scene.model("mug", "coffee-mug", top, (-0.13, -0.13, 0), 40, materials={"White_ceramic": "glazed blue"})
-    scene.model("espresso", "caffe_final", top, (0.5, 0.02, 0))
+    scene.model("espresso", "caffe_final", top, (0.53, 0.02, 0.0145))
     scene.model("paper cup", "coffee_cup", top, (0.08, 0.06, 0))
     scene.model("pens", "penbox", top, (-0.46, 0.34, 0))
     scene.model("calendar", "kalender", top, (0.04, 0.28, 0), 4)
     scene.model("stapler", "stapler", top, (0.27, -0.06, 0), 65)
-    scene.model("scissors", "cissors_swap", top, (-0.24, -0.36, 0.003), 28)
+    scene.model("scissors", "cissors_swap", top, (-0.32, -0.29, 0.0025), 28)
     scene.model("text marker", "textMarker", top, (-0.44, -0.33, 0.003), 70)
     scene.model("cube", "rubix2", top, (0.24, 0.05, 0), 25)
     scene.model("succulent", "succulentPlant", top, (-0.03, 0.39, 0))
     scene.model("photograph", "frame1", top, (0.44, 0.4, 0), -15)
     scene.model("telephone", "phone", top, (-0.6, -0.1, 0.003), 22)
     scene.model("glasses", "glasses", top, (-0.32, -0.13, 0.009), 160)
-    scene.model("keys", "keys", top, (0.72, -0.36, 0.003))
-    for i, (x, y, yaw) in enumerate(((0.2, -0.33, 62), (0.56, -0.22, 110), (-0.4, -0.12, 20), (-0.5, -0.36, 85))):
+    scene.model("keys", "keys", top, (0.43, 0.12, 0))
+    for i, (x, y, yaw) in enumerate(((0.21, -0.3, 80), (0.56, -0.22, 110), (-0.4, -0.12, 20), (-0.5, -0.36, 85))):
         scene.model(f"pen {i}", "pencil1", top, (x, y, 0.003 if y < -0.15 else 0.0078), yaw)
 
 
@@ -111,6 +111,7 @@ def _beside(scene):
     scene.model("carton", "cardboard-box", Place(5.25, 5.8, 2.05), size=(0.5, 0.3, 0.27))
     _corner(scene)
     scene.model("bin", "dustbin", Place(3.2, 4.98))
+    _computer(scene, Place(2.95, 5.55))
     scene.model("open carton", "open-cardboard-box", Place(4.05, 5.1), yaw_deg=25, size=(0.6, 0.46, 0.34))
 
 
@@ -127,3 +128,15 @@ def _corner(scene):
     scene.model("corner plant", "bonsai-tree", top, (0.12, 0, 0), 30, size=(0.36, 0.3, 0.34))
     framed(scene, "small map", "poster map", (0.34, 0.275), NORTH, (0.42, 0, 1.15), "walnut", 0.02)
     framed(scene, "small print", "print mountains", (0.34, 0.25), NORTH, (0.42, 0, 0.72), "walnut", 0.02)
+
+
+def _computer(scene, place):
+    """The tower under the desk."""
+    scene.box("computer", "dark plastic", (0.19, 0.44, 0.42), place, (0, 0, 0.012))
+    for i, (z, h) in enumerate(((0.36, 0.045), (0.305, 0.045), (0.25, 0.045))):
+        scene.box(f"computer bay {i}", "gray plastic", (0.16, 0.006, h), place, (0, -0.222, z))
+    scene.box("computer button", "metal", (0.025, 0.008, 0.025), place, (0.05, -0.222, 0.19))
+    for i in range(6):
+        scene.box(f"computer grille {i}", "dark metal", (0.15, 0.006, 0.008), place, (0, -0.222, 0.04 + 0.02 * i))
+    for x in (-0.07, 0.07):
+        scene.box("computer foot", "dark metal", (0.03, 0.36, 0.012), place, (x, 0, 0))

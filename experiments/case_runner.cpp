@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/experiments/case_runner.h"
+
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "silt/core/error.h"
+#include "silt/experiments/interrupt.h"
+#include "silt/experiments/progress.h"
+#include "silt/experiments/resources.h"
+#include "silt/sim/path_file.h"
+#include "silt/sim/response_curve.h"
+
+namespace silt::experiments {
+namespace {
+
+constexpr double kPaperFps = 60;
+
+std::shared_ptr<const sim::LitScene> LoadLitScene(const std::filesystem::path& file) {
+  sim::Scene scene = sim::LoadScene(file);
+  for (const std::string& warning : scene.warnings) spdlog::debug("{}", warning);
+  Progress progress(1);
+  double done = 0;
+  sim::LightingOptions lighting;
+  lighting.progress = [&](double share) {
+    progress.Advance(share - std::exchange(done, share), "light of " + file.string());
+  };
+  return std::make_shared<const sim::LitScene>(std::move(scene), lighting);
+}
+
+// What Renderer::Render makes of the linear picture, for any seed of the noise.
+Frame Develop(const sim::Renderer& renderer, Image<Vec3f> signal, const sim::NoiseKey& key) {
+  const auto exposure = float(renderer.lit_scene()->scene().exposure);
+  for (Vec3f& value : signal) value = exposure * value;
+  if (renderer.options().noise) sim::AddNoise(*renderer.options().noise, key, signal);
+  return {0, sim::EncodeSrgb8(signal), {}};
+}
+
+}  // namespace
+
+sim::PoseAtTime World::Pose() const {
+  return [this](double time_s) { return path.WorldFromCamera(time_s); };
+}
+
+Json World::ToJson() const {
+  const sim::PathStatistics s = path.Statistics();
+  return {{"scene", scene->scene().name},    {"scene_file", scene_file.string()},
+          {"path_file", path_file.string()}, {"path_duration_s", s.duration_s},
+          {"path_length_m", s.length_m},     {"triangles", scene->scene().mesh.triangles.size()}};
+}
+
+World LoadWorld(const std::string& scene, const std::string& path) {
+  const std::filesystem::path scene_file = SceneFile(scene);
+  const std::filesystem::path path_file = PathFile(scene_file, path);
+  sim::CameraPath camera_path = sim::LoadCameraPath(path_file);
+  return {scene_file, path_file, LoadLitScene(scene_file), std::move(camera_path)};
+}
+
+Json Stretch::ToJson() const {
+  return {{"fps", fps}, {"start_s", start_s}, {"duration_s", duration_s}};
+}
+
+Trajectory TruePoses(const World& world, const Stretch& stretch) {
+  const double rest_s = world.path.duration_s() - stretch.start_s;
+  const double duration_s = stretch.duration_s > 0 ? stretch.duration_s : rest_s;
+  const bool inside = stretch.start_s >= 0 && duration_s > 0 && duration_s <= rest_s + 1e-9;
+  if (!inside) {
+    throw Error(world.path_file.string() + ": lasts " + std::to_string(world.path.duration_s()) +
+                " s; --start and --duration ask for more");
+  }
+  Trajectory poses = world.path.Sample(stretch.fps, stretch.start_s, std::min(duration_s, rest_s));
+  if (poses.empty()) throw Error("the stretch is too short to hold a frame; raise --duration");
+  return poses;
+}
+
+Json RenderPlan::ToJson() const {
+  const PinholeCamera& c = options.camera;
+  Json json{{"camera", {c.fx, c.fy, c.cx, c.cy, c.width, c.height}},
+            {"samples_per_pixel", options.samples_per_pixel},
+            {"exposure_s", options.exposure_s},
+            {"time_samples", options.time_samples},
+            {"noise", options.noise ? "handa" : "none"},
+            {"seeds", noise_seeds.empty() ? std::vector{options.seed} : noise_seeds}};
+  json.update(stretch.ToJson());
+  return json;
+}
+
+void ForEachFrame(const World& world, const RenderPlan& plan,
+                  const std::function<void(const RenderedFrame&)>& visit) {
+  const sim::Renderer renderer(world.scene, plan.options);
+  const std::vector<std::uint64_t> seeds =
+      plan.noise_seeds.empty() ? std::vector{plan.options.seed} : plan.noise_seeds;
+  RenderedFrame rendered;
+  for (const StampedPose& truth : TruePoses(world, plan.stretch)) {
+    ThrowIfInterrupted();
+    const Image<Vec3f> linear = renderer.RenderLinear(world.Pose(), truth.time_s);
+    const Image<float> depth_m = renderer.RenderDepth(truth.world_from_camera);
+    // Of the whole path, so that a stretch has the noise that it has within the whole.
+    const auto index = std::uint32_t(std::llround(truth.time_s * plan.stretch.fps));
+    rendered.truth = truth;
+    for (const std::uint64_t seed : seeds) {
+      rendered.seed = seed;
+      rendered.frame = Develop(renderer, linear, {seed, index});
+      rendered.frame.time_s = truth.time_s;
+      rendered.frame.depth_m = depth_m;
+      visit(rendered);
+    }
+    ++rendered.number;
+  }
+}
+
+Frame RenderAt(const World& world, const sim::RenderOptions& options, double time_s) {
+  const sim::Renderer renderer(world.scene, options);
+  return renderer.Render(world.Pose(), time_s, int(std::llround(time_s * kPaperFps)));
+}
+
+const std::vector<PaperSequence>& PaperSequences() {
+  static const std::vector<PaperSequence> sequences{
+      {"20fps", 3, false}, {"60fps", 1, false}, {"60fps-blur", 1, true}};
+  return sequences;
+}
+
+sim::RenderOptions PaperRenderOptions(bool blur_and_noise) {
+  sim::RenderOptions options;
+  if (blur_and_noise) {
+    options.exposure_s = 1 / kPaperFps;
+    options.time_samples = 16;
+    options.noise = sim::NoiseModel::Handa();
+  }
+  return options;
+}
+
+PinholeCamera IclNuimCameraOfWidth(int width) {
+  const PinholeCamera& camera = kIclNuimCamera;
+  if (width == camera.width) return camera;
+  const double scale = double(width) / camera.width;
+  return {camera.fx * scale,
+          camera.fy * scale,
+          (camera.cx + 0.5) * scale - 0.5,
+          (camera.cy + 0.5) * scale - 0.5,
+          width,
+          width * 3 / 4};
+}
+
+}  // namespace silt::experiments

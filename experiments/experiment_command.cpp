@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+
+#include "silt/experiments/commands.h"
+
+namespace silt::experiments {
+
+void AddExperimentCommand(CLI::App& program, const Invocation& invocation) {
+  CLI::App* command =
+      program.add_subcommand("experiment", "Repeat an experiment of the paper and report on it");
+  command->require_subcommand(1);
+  AddAccuracyExperiment(*command, invocation);
+}
+
+}  // namespace silt::experiments

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "silt/core/error.h"
+#include "silt/core/io/tum_sequence.h"
+#include "silt/core/parallel.h"
+#include "silt/experiments/case_runner.h"
+#include "silt/experiments/commands.h"
+#include "silt/experiments/evaluation.h"
+#include "silt/experiments/interrupt.h"
+#include "silt/experiments/manifest.h"
+#include "silt/experiments/option_checks.h"
+#include "silt/experiments/output.h"
+#include "silt/experiments/progress.h"
+#include "silt/experiments/simulation_options.h"
+#include "silt/experiments/tracking_run.h"
+
+namespace silt::experiments {
+namespace {
+
+struct Options {
+  std::string folder, out, json, init;
+  int every = 1;
+  SimulationOptions simulation;
+  TrackerSetup tracker;
+};
+
+struct Tracked {
+  TrackingResult result;
+  Trajectory truth;  // empty where there is none
+  Json source;
+};
+
+std::string FrameOf(int number, int frames) {
+  return "frame " + std::to_string(number) + " of " + std::to_string(frames);
+}
+
+// The folder's ground truth serves for the first pose and for the evaluation.
+Tracked TrackFolder(const Options& options) {
+  TumSequenceOptions reading;
+  reading.take_every = options.every;
+  TumSequence sequence(options.folder, reading);
+  Tracked tracked;
+  tracked.source = {{"folder", options.folder}, {"take_every", options.every}};
+  const std::filesystem::path truth = std::filesystem::path(options.folder) / "groundtruth.txt";
+  if (std::filesystem::exists(truth)) tracked.truth = ReadTumTrajectory(truth);
+  SE3d first;
+  if (!tracked.truth.empty()) {
+    const double start_s = sequence.entries().front().time_s;
+    first = tracked.truth[NearestIndex(Times(tracked.truth), start_s)].world_from_camera;
+  }
+  TrackingRun run(sequence.camera(), options.tracker, first);
+  Progress progress(sequence.size());
+  int number = 0;
+  while (const std::optional<Frame> frame = sequence.Next()) {
+    ThrowIfInterrupted();
+    run.Track(*frame);
+    progress.Advance(1, FrameOf(++number, sequence.size()));
+  }
+  tracked.result = run.Result();
+  return tracked;
+}
+
+Tracked TrackSimulation(const Options& options) {
+  const RenderPlan plan = options.simulation.Plan();
+  const World world = LoadWorld(options.simulation.scene, options.simulation.trajectory);
+  Tracked tracked;
+  tracked.source = {{"world", world.ToJson()}, {"render", plan.ToJson()}};
+  tracked.truth = TruePoses(world, plan.stretch);
+  const int frames = int(tracked.truth.size());
+  TrackingRun run(plan.options.camera, options.tracker, tracked.truth.front().world_from_camera);
+  Progress progress(frames);
+  ForEachFrame(world, plan, [&](const RenderedFrame& rendered) {
+    run.Track(rendered.frame);
+    progress.Advance(1, FrameOf(rendered.number + 1, frames));
+  });
+  tracked.result = run.Result();
+  return tracked;
+}
+
+Json ToJson(const tracker::StageTimes& times) {
+  return {{"pyramid", times.pyramid_ms},   {"initial_estimate", times.initial_estimate_ms},
+          {"residual", times.residual_ms}, {"jacobian", times.jacobian_ms},
+          {"update", times.update_ms},     {"total", times.total_ms}};
+}
+
+Json Summary(const Tracked& tracked, const std::optional<Evaluation>& evaluation) {
+  const TrackingResult& r = tracked.result;
+  Json json{{"frames", r.estimate.size()},
+            {"keyframes", r.keyframes()},
+            {"lost", r.lost()},
+            {"ms_per_frame", r.mean_times.total_ms},
+            {"stages_ms", ToJson(r.mean_times)},
+            {"messages", r.messages}};
+  json["evaluation"] = evaluation ? ToJson(*evaluation) : Json(nullptr);
+  return json;
+}
+
+void Run(Options options, const Invocation& invocation) {
+  if (options.folder.empty() == options.simulation.scene.empty()) {
+    throw Error("track: give either a sequence's folder or --scene");
+  }
+  SetThreadCount(options.simulation.threads);
+  options.tracker.seed = options.simulation.seed;
+  const Tracked tracked = options.folder.empty() ? TrackSimulation(options) : TrackFolder(options);
+  const TrackingResult& result = tracked.result;
+  for (const std::string& message : result.messages) spdlog::warn("{}", message);
+  std::optional<Evaluation> evaluation;
+  if (!tracked.truth.empty()) evaluation = Evaluate(tracked.truth, result.estimate);
+
+  WriteTumTrajectory(options.out, result.estimate);
+  if (!options.json.empty()) {
+    Json json = Summary(tracked, evaluation);
+    const Json config{{"source", tracked.source}, {"tracker", ToJson(options.tracker)}};
+    json["manifest"] = MakeManifest(invocation.command_line, config, options.tracker.seed);
+    WriteJson(options.json, json);
+  }
+  if (options.json == "-") return;
+  char line[200];
+  std::snprintf(line, sizeof line, "%zu frames, %d keyframes, %d lost, %.1f ms per frame: %s\n",
+                result.estimate.size(), result.keyframes(), result.lost(),
+                result.mean_times.total_ms, options.out.c_str());
+  Print(line + (evaluation ? FormatEvaluation(*evaluation) : std::string()));
+}
+
+void AddTrackerOptions(CLI::App& command, Options& options) {
+  command.add_option("--preset", options.tracker.preset, "Tracker: paper")->capture_default_str();
+  command.add_option("--backend", options.tracker.backend, "Where it computes: cpu or cuda")
+      ->capture_default_str();
+  command
+      .add_option("--init", options.tracker.initializer,
+                  "Where an alignment starts: sparse (features) or previous (the last pose)")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void AddTrackCommand(CLI::App& program, const Invocation& invocation) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "track", "Estimate the camera's poses, from a folder or with the simulation in the loop");
+  command->add_option("folder", options->folder, "Sequence in TUM's layout, with camera.txt");
+  command->add_option("--out", options->out, "Trajectory to write, in TUM's format")->required();
+  command->add_option("--json", options->json, "Write figures and manifest here (-: to stdout)");
+  RequireInteger(command->add_option("--every", options->every, "Of the folder, every n-th frame")
+                     ->capture_default_str(),
+                 1, 1000000);
+  AddTrackerOptions(*command, *options);
+  AddSimulationOptions(*command, options->simulation, false);
+  command->footer(
+      "The tracker is given the first true pose, where there is one, and no other.\n"
+      "Examples: silt track office20 --out estimate.txt\n"
+      "          silt track --scene office --trajectory desk --duration 2 --out estimate.txt");
+  command->callback([options, &invocation] { Run(*options, invocation); });
+}
+
+}  // namespace silt::experiments

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "silt/core/camera.h"
+#include "silt/core/se3.h"
+#include "silt/experiments/json.h"
+#include "silt/tracker/backend.h"
+#include "silt/tracker/initializer.h"
+#include "silt/tracker/keyframe_tracker.h"
+#include "silt/tracker/options.h"
+
+namespace silt::experiments {
+
+// Everything of a tracker that has a name on the command line.
+struct TrackerSetup {
+  std::string preset = "paper";
+  std::string backend = "cpu";
+  std::string initializer = "sparse";
+  std::uint64_t seed = 0;
+};
+
+std::vector<std::string> PresetNames();
+std::vector<std::string> BackendNames();  // those that this build knows, compiled in or not
+std::vector<std::string> InitializerNames();
+
+// Each throws silt::Error for an unknown name, and MakeBackend for one that is not compiled in or
+// finds no device.
+tracker::TrackerOptions PresetOptions(const std::string& preset);
+std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name);
+// "previous" is none: the tracker then starts from the last pose.
+std::unique_ptr<tracker::Initializer> MakeInitializer(const std::string& name);
+
+// The tracker is given the first true pose, and no other.
+tracker::KeyframeTracker MakeTracker(const PinholeCamera& camera, const TrackerSetup& setup,
+                                     const SE3d& first_world_from_camera);
+
+// The resolved options, for the manifest.
+Json ToJson(const TrackerSetup& setup);
+
+}  // namespace silt::experiments

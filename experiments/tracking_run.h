@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "silt/core/trajectory.h"
+#include "silt/experiments/tracker_setup.h"
+
+namespace silt::experiments {
+
+// What a tracker made of a sequence, frame by frame.
+struct TrackingResult {
+  Trajectory estimate;
+  std::vector<bool> is_keyframe;      // per frame: it became one
+  std::vector<bool> is_lost;          // per frame; its pose is then the last tracked one
+  tracker::StageTimes mean_times;     // per frame
+  std::vector<std::string> messages;  // one line each, for people
+
+  int keyframes() const;
+  int lost() const;
+};
+
+// One tracker that is fed a sequence.
+class TrackingRun {
+ public:
+  TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
+              const SE3d& first_world_from_camera);
+
+  tracker::TrackedFrame Track(const Frame& frame);
+  TrackingResult Result() const;
+
+ private:
+  tracker::KeyframeTracker tracker_;
+  TrackingResult result_;
+  tracker::StageTimes sums_;
+};
+
+}  // namespace silt::experiments
