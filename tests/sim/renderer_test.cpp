@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "scene_builder.h"
+#include "silt/core/color.h"
 #include "silt/core/error.h"
 #include "silt/core/parallel.h"
 #include "silt/sim/path_file.h"
@@ -14,36 +15,184 @@
 namespace silt::sim {
 namespace {
 
-constexpr PinholeCamera kSmallCamera{120.3, 120, 79.5, 59.5, 160, 120};
+// A size that is no multiple of the tiles.
+constexpr PinholeCamera kCamera{120.3, 120, 74.5, 54.5, 150, 110};
 
-LightingOptions Coarse() { return {.direct_spacing_m = 0.2f, .indirect_spacing_m = 0.5f}; }
+LightingOptions Coarse() {
+  LightingOptions options;
+  options.direct_spacing_m = 0.2f;
+  options.indirect_spacing_m = 0.5f;
+  return options;
+}
 
 PoseAtTime Still(const SE3d& pose) {
   return [pose](double) { return pose; };
 }
 
+const SE3d kRoomPose = LookAt({0.2, -1.9, 1.5}, {0, 1, 0.7});
+
+std::shared_ptr<const LitScene> Room() {
+  static const auto room = std::make_shared<const LitScene>(RoomWithBoxAndBall(), Coarse());
+  return room;
+}
+
 TEST(Renderer, FramesDoNotDependOnTheNumberOfThreads) {
-  const SE3d pose = LookAt({0.2, -1.9, 1.5}, {0, 1, 0.7});
-  RenderOptions options{.camera = kSmallCamera};
+  RenderOptions options{.camera = kCamera, .exposure_s = 0.1};
   options.noise = NoiseModel::Handa();
-  Frame frames[2];
+  const PoseAtTime moving = [](double t) {
+    return kRoomPose * SE3d::Exp({{0.1 * t, 0.2 * t, 0}, {t, 0, 0}});
+  };
+  Frame frames[3];
   for (const int threads : {1, 2}) {
     SetThreadCount(threads);
     const Renderer renderer(RoomWithBoxAndBall(), options, Coarse());
-    frames[threads - 1] = renderer.Render(Still(pose), 0, 3);
+    frames[threads] = renderer.Render(moving, 0.5, 3);
   }
   SetThreadCount(0);
-  EXPECT_EQ(frames[0].rgb, frames[1].rgb);
-  EXPECT_EQ(frames[0].depth_m, frames[1].depth_m);
+  EXPECT_EQ(frames[1].rgb, frames[2].rgb);
+  EXPECT_EQ(frames[1].depth_m, frames[2].depth_m);
+}
+
+// Two surfaces in the same place: whichever is seen, it is the same one in every run.
+TEST(Renderer, CoincidentSurfacesDoNotDependOnTheNumberOfThreads) {
+  SceneBuilder builder;
+  const int black = builder.AddMaterial(Vec3f{}), white = builder.AddMaterial(Vec3f{1, 1, 1});
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3f corner{float(i % 40) * 0.1f - 2, float(i / 40) * 0.1f - 2, 0};
+    builder.AddQuad(corner, {0.1f, 0, 0}, {0, 0.1f, 0}, black);
+    builder.AddQuad(corner, {0.1f, 0, 0}, {0, 0.1f, 0}, white);
+  }
+  builder.scene.ambient = {1, 1, 1};
+  Image<Rgb8> pictures[3];
+  for (const int threads : {1, 2}) {
+    SetThreadCount(threads);
+    const Renderer renderer(builder.scene, {.camera = kCamera}, Coarse());
+    pictures[threads] = renderer.Render(Still(LookAt({0, -1, 2}, {0, 0, 0})), 0, 0).rgb;
+  }
+  SetThreadCount(0);
+  EXPECT_EQ(pictures[1], pictures[2]);
+}
+
+TEST(Renderer, PicturesWithoutNoiseAreTheSameEveryTime) {
+  const Renderer renderer(Room(), {.camera = kCamera, .seed = 1});
+  const Renderer other(Room(), {.camera = kCamera, .seed = 2});
+  const Frame a = renderer.Render(Still(kRoomPose), 0, 0);
+  EXPECT_EQ(a.rgb, other.Render(Still(kRoomPose), 7, 9).rgb);
+}
+
+// A point of the floor keeps its radiance, whoever looks at it.
+TEST(Renderer, SurfacesLookTheSameFromEveryViewpoint) {
+  const Renderer renderer(Room(), {.camera = {120, 120, 0, 0, 1, 1}, .samples_per_pixel = 1});
+  const auto radiance = [&](const Vec3d& eye, const Vec3d& point) {
+    return renderer.RenderLinear(Still(LookAt(eye, point)), 0)(0, 0);
+  };
+  for (const Vec3d& point : {Vec3d{0.3, -0.8, 0}, Vec3d{-1.2, 0.4, 0}, Vec3d{1.2, -0.5, 0}}) {
+    const Vec3f reference = radiance({0.1, -1, 2}, point);
+    EXPECT_GT(reference.x, 0.01f);
+    for (const Vec3d& eye : {Vec3d{-1.5, -1.5, 0.8}, Vec3d{1.5, -1.8, 1.7}, Vec3d{0, -1.9, 0.3}}) {
+      EXPECT_NEAR(radiance(eye, point).x / reference.x, 1, 1e-4f);
+      EXPECT_NEAR(radiance(eye, point).z / reference.z, 1, 1e-4f);
+    }
+  }
+}
+
+TEST(Renderer, TheBackgroundIsTheAmbient) {
+  Scene empty;
+  empty.ambient = {0.25f, 0.5f, 2};
+  empty.exposure = 0.5;
+  const Frame frame = Renderer(empty, {.camera = kCamera}).Render(Still({}), 0, 0);
+  const auto code = [](float linear) {
+    return std::uint8_t(std::lround(255 * SrgbFromLinear(linear)));
+  };
+  EXPECT_EQ(frame.rgb(5, 7), (Rgb8{code(0.125f), code(0.25f), 255}));
+  EXPECT_EQ(frame.depth_m(5, 7), 0);
+}
+
+// A white edge over black through the pixel at x = 0: the share of the pixel that it covers.
+TEST(Renderer, PixelsAreTheMeanOverTheirArea) {
+  SceneBuilder builder;
+  builder.AddQuad({-0.5f, -1, 1}, {0.5f, 0, 0}, {0, 2, 0},
+                  builder.AddMaterial(Vec3f{}, Vec3f{1, 1, 1}));
+  const PinholeCamera camera{10, 10, 2, 2, 5, 5};
+  for (const double share : {0.125, 0.375, 0.625, 0.875}) {
+    SE3d pose;
+    pose.translation.x = (0.5 - share) / 10;
+    const Renderer renderer(builder.scene, {.camera = camera, .samples_per_pixel = 64}, Coarse());
+    EXPECT_NEAR(renderer.RenderLinear(Still(pose), 0)(2, 2).x, share, 0.02);
+  }
+}
+
+double MeanDifference(const Image<Vec3f>& a, const Image<Vec3f>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a.data()[i].x - b.data()[i].x);
+  return sum / double(a.size());
+}
+
+Image<Vec3f> Mean(const std::vector<Image<Vec3f>>& images) {
+  Image<Vec3f> mean(images[0].width(), images[0].height());
+  for (const Image<Vec3f>& image : images) {
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      mean.data()[i] += (1 / float(images.size())) * image.data()[i];
+    }
+  }
+  return mean;
+}
+
+// In linear light, over the whole exposure about the frame's time; a mean of encoded values, half
+// an exposure or a shifted one would differ by more than the sampling does.
+TEST(Renderer, BlurIsTheMeanOfSharpFrames) {
+  const double exposure_s = 1.0 / 60, middle_s = 0.4;
+  const PoseAtTime moving = [](double t) {
+    return kRoomPose * SE3d::Exp({{0.2 * t, 3 * t, t}, {2 * t, 0, 0}});
+  };
+  const Renderer sharp(Room(), {.camera = kCamera, .samples_per_pixel = 16});
+  const auto mean_of_sharp = [&](double begin_s, double length_s) {
+    std::vector<Image<Vec3f>> frames;
+    for (int i = 0; i < 32; ++i) {
+      frames.push_back(sharp.RenderLinear(moving, begin_s + (i + 0.5) / 32 * length_s));
+    }
+    return Mean(frames);
+  };
+  const Renderer blurred(Room(),
+                         {.camera = kCamera, .samples_per_pixel = 64, .exposure_s = exposure_s});
+  const Image<Vec3f> blur = blurred.RenderLinear(moving, middle_s);
+  const double begin_s = middle_s - exposure_s / 2;
+  const double difference = MeanDifference(blur, mean_of_sharp(begin_s, exposure_s));
+  EXPECT_LT(difference, 1e-3);
+  EXPECT_GT(MeanDifference(blur, mean_of_sharp(middle_s - exposure_s / 4, exposure_s / 2)),
+            3 * difference);
+  EXPECT_GT(MeanDifference(blur, mean_of_sharp(middle_s, exposure_s)), 3 * difference);
+  EXPECT_GT(MeanDifference(blur, sharp.RenderLinear(moving, middle_s)), 3 * difference);
+}
+
+TEST(Renderer, DepthIsThatOfTheMiddleOfTheExposure) {
+  const PoseAtTime moving = [](double t) { return kRoomPose * SE3d::Exp({{0, t, 0}, {}}); };
+  RenderOptions options{.camera = kCamera, .exposure_s = 0.2};
+  options.noise = NoiseModel::Handa();
+  const Renderer renderer(Room(), options);
+  const Frame frame = renderer.Render(moving, 0.3, 0);
+  EXPECT_EQ(frame.time_s, 0.3);
+  EXPECT_EQ(frame.depth_m, renderer.RenderDepth(moving(0.3)));
+}
+
+TEST(Renderer, NoiseDependsOnSeedAndFrame) {
+  const auto render = [](std::uint64_t seed, int frame) {
+    RenderOptions options{.camera = kCamera};
+    options.noise = NoiseModel::Handa();
+    options.seed = seed;
+    return Renderer(Room(), options).Render(Still(kRoomPose), 0, frame).rgb;
+  };
+  EXPECT_EQ(render(1, 1), render(1, 1));
+  EXPECT_FALSE(render(1, 1) == render(1, 2));
+  EXPECT_FALSE(render(1, 1) == render(2, 1));
 }
 
 TEST(Renderer, RefusesOptionsThatMakeNoPicture) {
-  const auto lit = std::make_shared<const LitScene>(RoomWithBoxAndBall(), Coarse());
-  EXPECT_THROW(Renderer(lit, {.camera = {1, 1, 0, 0, 0, 0}}), Error);
-  EXPECT_THROW(Renderer(lit, {.camera = kSmallCamera, .samples_per_pixel = 0}), Error);
-  EXPECT_THROW(Renderer(lit, {.camera = kSmallCamera, .exposure_s = -1}), Error);
-  EXPECT_THROW(Renderer(lit, {.camera = kSmallCamera, .exposure_s = std::nan("")}), Error);
-  EXPECT_THROW(Renderer(lit, {.camera = kSmallCamera, .time_samples = 0}), Error);
+  EXPECT_THROW(Renderer(Room(), {.camera = {1, 1, 0, 0, 0, 0}}), Error);
+  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .samples_per_pixel = 0}), Error);
+  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .exposure_s = -1}), Error);
+  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .exposure_s = std::nan("")}), Error);
+  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .time_samples = 0}), Error);
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/sim/camera_rays.h"
+
+#include <gtest/gtest.h>
+
+namespace silt::sim {
+namespace {
+
+const SE3d kPose = SE3d::Exp({{0.3, -0.5, 0.7}, {1, 2, 3}});
+
+TEST(CameraRays, PointsAlongARayProjectToItsPixelAndDepth) {
+  const PinholeCamera camera = kIclNuimCamera;
+  const CameraRays rays(camera, kPose);
+  for (const Vec2d& pixel : {Vec2d{0, 0}, Vec2d{639, 479}, Vec2d{12.25, 333.75}}) {
+    const double depth = 2.5;
+    const Vec3d p = kPose.Inverse() * (rays.origin() + depth * rays.Direction(pixel.x, pixel.y));
+    EXPECT_NEAR(p.z, depth, 1e-12);
+    EXPECT_NEAR(camera.Project(p).x, pixel.x, 1e-9);
+    EXPECT_NEAR(camera.Project(p).y, pixel.y, 1e-9);
+  }
+}
+
+TEST(CameraRays, PacketsCoverBlocksAndEndWithTheImage) {
+  const PinholeCamera camera{100, 110, 4.5, 2.5, 10, 6};
+  const CameraRays rays(camera, kPose);
+  RayPacket packet;
+  rays.Fill(8, 4, {0.25, -0.125}, packet);
+  for (int i = 0; i < kPacketSize; ++i) {
+    const int x = 8 + i % 4, y = 4 + i / 4;
+    EXPECT_EQ(packet.valid[i] != 0, x < 10 && y < 6);
+    const Vec3d direction = rays.Direction(x + 0.25, y - 0.125);
+    EXPECT_FLOAT_EQ(packet.direction_x[i], float(direction.x));
+    EXPECT_FLOAT_EQ(packet.direction_z[i], float(direction.z));
+    EXPECT_FLOAT_EQ(packet.origin_y[i], float(kPose.translation.y));
+  }
+}
+
+}  // namespace
+}  // namespace silt::sim

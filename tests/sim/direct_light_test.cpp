@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/sim/direct_light.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_builder.h"
+#include "silt/sim/form_factor.h"
+
+namespace silt::sim {
+namespace {
+
+constexpr int kPoints = 16;
+
+// A square metre of light 2 m above a floor, and half way a board that covers x < edge.
+Scene FloorAndBoard(float edge) {
+  SceneBuilder builder;
+  const int white = builder.AddMaterial(Vec3f{1, 1, 1});
+  builder.AddQuad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, white);
+  builder.AddLight({0, 0, 2}, {0, 0.5f, 0}, {0.5f, 0, 0}, {3, 2, 1});
+  if (edge > -5) builder.AddQuad({-5, -5, 1}, {5 + edge, 0, 0}, {0, 10, 0}, white);
+  return builder.scene;
+}
+
+float RedAt(const Scene& scene, const Vec3f& position) {
+  const RayTracer tracer(scene);
+  return DirectLight(scene, tracer, kPoints).Irradiance(position, {0, 0, 1}).x;
+}
+
+TEST(DirectLight, IsRadianceTimesFormFactorWhereNothingIsInBetween) {
+  const Scene scene = FloorAndBoard(-5);
+  const RayTracer tracer(scene);
+  const DirectLight direct(scene, tracer, kPoints);
+  for (const Vec3f& point : {Vec3f{0, 0, 0}, Vec3f{1, 0.5f, 0}, Vec3f{-3, 2, 0}}) {
+    const double factor = RectangleFormFactor(scene.lights[0], point.Cast<double>(), {0, 0, 1});
+    const Vec3f irradiance = direct.Irradiance(point, {0, 0, 1});
+    EXPECT_NEAR(irradiance.x, 3 * factor, 1e-5);
+    EXPECT_NEAR(irradiance.y, 2 * factor, 1e-5);
+    EXPECT_NEAR(irradiance.z, 1 * factor, 1e-5);
+  }
+}
+
+TEST(DirectLight, ABoardCastsAShadowWithAPenumbra) {
+  // The board's edge over x = 0: the light's edges throw it to x = ±0.5 on the floor.
+  const Scene scene = FloorAndBoard(0);
+  const Scene open = FloorAndBoard(-5);
+  EXPECT_EQ(RedAt(scene, {-0.6f, 0, 0}), 0);
+  EXPECT_FLOAT_EQ(RedAt(scene, {0.6f, 0, 0}), RedAt(open, {0.6f, 0, 0}));
+  EXPECT_NEAR(RedAt(scene, {0, 0, 0}) / RedAt(open, {0, 0, 0}), 0.5, 0.01);
+  float before = 0;
+  for (float x = -0.6f; x < 0.6f; x += 0.05f) {
+    const float share = RedAt(scene, {x, 0, 0}) / RedAt(open, {x, 0, 0});
+    EXPECT_GE(share, before - 1e-6f) << x;
+    EXPECT_LE(share, before + 0.2f) << x;
+    before = share;
+  }
+}
+
+TEST(DirectLight, PointsOnAGridOfAnyNumberAreAllUsed) {
+  const Scene scene = FloorAndBoard(0);
+  const RayTracer tracer(scene);
+  for (const int points : {1, 5, 16, 40}) {
+    const float red = DirectLight(scene, tracer, points).Irradiance({0.6f, 0, 0}, {0, 0, 1}).x;
+    EXPECT_FLOAT_EQ(red, RedAt(scene, {0.6f, 0, 0})) << points;
+  }
+}
+
+TEST(DirectLight, DoesNotShineBackwardsOrThroughTheFloor) {
+  const Scene scene = FloorAndBoard(-5);
+  const RayTracer tracer(scene);
+  const DirectLight direct(scene, tracer, kPoints);
+  EXPECT_EQ(direct.Irradiance({0, 0, 3}, {0, 0, -1}).x, 0);
+  EXPECT_EQ(direct.Irradiance({0, 0, -0.01f}, {0, 0, 1}).x, 0);
+  EXPECT_EQ(direct.Irradiance({0, 0, 0}, {0, 0, -1}).x, 0);
+}
+
+}  // namespace
+}  // namespace silt::sim

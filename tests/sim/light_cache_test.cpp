@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/sim/light_cache.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+
+#include "scene_builder.h"
+#include "silt/core/error.h"
+#include "silt/sim/irradiance.h"
+
+namespace silt::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An empty folder that XDG_CACHE_HOME names while a test runs.
+class LightCache : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* before = std::getenv("XDG_CACHE_HOME");
+    if (before) before_ = before;
+    folder_ = fs::temp_directory_path() / ("silt-light-cache-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
+  }
+  void TearDown() override {
+    if (before_)
+      ::setenv("XDG_CACHE_HOME", before_->c_str(), 1);
+    else
+      ::unsetenv("XDG_CACHE_HOME");
+    fs::remove_all(folder_);
+  }
+
+  fs::path folder_;
+  std::optional<std::string> before_;
+};
+
+StoredLight SomeLight() { return {{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {0.5f, 0, 1e-20f}}}; }
+
+std::string Contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void Overwrite(const fs::path& file, const std::string& contents) {
+  std::ofstream(file, std::ios::binary) << contents;
+}
+
+TEST_F(LightCache, GivesBackWhatWasWritten) {
+  WriteLight(folder_ / "light", SomeLight());
+  const std::optional<StoredLight> light = ReadLight(folder_ / "light", 2);
+  ASSERT_TRUE(light);
+  EXPECT_EQ(light->front[1].y, 5);
+  EXPECT_EQ(light->back[1].z, 1e-20f);
+}
+
+TEST_F(LightCache, AFileThatIsNotRightIsNotRead) {
+  const fs::path file = folder_ / "light";
+  EXPECT_FALSE(ReadLight(file, 2));  // missing
+  WriteLight(file, SomeLight());
+  const std::string good = Contents(file);
+  EXPECT_FALSE(ReadLight(file, 1));  // of another grid
+  EXPECT_FALSE(ReadLight(file, 3));
+  for (const std::size_t place : {std::size_t(0), std::size_t(33), good.size() - 1}) {
+    std::string bad = good;
+    bad[place] ^= 1;
+    Overwrite(file, bad);
+    EXPECT_FALSE(ReadLight(file, 2)) << "byte " << place;
+  }
+  Overwrite(file, good.substr(0, good.size() - 1));
+  EXPECT_FALSE(ReadLight(file, 2));
+  Overwrite(file, good + "x");
+  EXPECT_FALSE(ReadLight(file, 2));
+  Overwrite(file, good);
+  EXPECT_TRUE(ReadLight(file, 2));
+}
+
+TEST_F(LightCache, TheNameFollowsAllThatLightDependsOn) {
+  std::set<fs::path> names;
+  const auto add = [&](const Scene& scene, const LightingOptions& options = {}) {
+    names.insert(*LightCacheFile(scene, options));
+  };
+  const Scene scene = RoomWithBoxAndBall();
+  add(scene);
+  add(scene);
+  EXPECT_EQ(names.size(), 1u);
+  Scene moved = scene, tinted = scene, lamp = scene, sky = scene, turned = scene;
+  moved.mesh.positions.back().x += 1e-5f;
+  tinted.materials[1].diffuse.y += 1e-3f;
+  lamp.lights[0].radiance.z += 1;
+  sky.ambient.x += 1e-3f;
+  turned.materials[0].two_sided = false;
+  for (const Scene& other : {moved, tinted, lamp, sky, turned}) add(other);
+  LightingOptions finer, more_points, more_directions;
+  finer.direct_spacing_m /= 2;
+  more_points.light_points *= 2;
+  more_directions.wide_gather_directions *= 2;
+  for (const LightingOptions& other : {finer, more_points, more_directions}) add(scene, other);
+  EXPECT_EQ(names.size(), 9u);
+  Scene exposed = scene;
+  exposed.exposure *= 2;  // does not change the light
+  add(exposed);
+  EXPECT_EQ(names.size(), 9u);
+}
+
+TEST_F(LightCache, WithoutAHomeThereIsNone) {
+  const char* home = std::getenv("HOME");
+  const std::string kept = home ? home : "";
+  ::unsetenv("HOME");
+  ::unsetenv("XDG_CACHE_HOME");
+  EXPECT_FALSE(LightCacheFile({}, {}));
+  if (home) ::setenv("HOME", kept.c_str(), 1);
+}
+
+// A floor of half a million samples.
+TEST_F(LightCache, ALargeSceneIsSolvedOnce) {
+  SceneBuilder builder;
+  builder.AddQuad({0, 0, 0}, {5, 0, 0}, {0, 5, 0}, builder.AddMaterial(Vec3f{1, 1, 1}));
+  builder.scene.ambient = {1, 1, 1};
+  const RayTracer tracer(builder.scene);
+  LightingOptions options;
+  options.direct_spacing_m = 0.01f;
+  options.indirect_spacing_m = 1;
+  int reports = 0;
+  options.progress = [&](double) { ++reports; };
+  const float first = Irradiance(builder.scene, tracer, options).At(0, 0.3f, 0.3f, true).x;
+  EXPECT_GT(reports, 0);
+  const fs::path file = *LightCacheFile(builder.scene, options);
+  EXPECT_TRUE(fs::exists(file));
+  reports = 0;
+  EXPECT_EQ(Irradiance(builder.scene, tracer, options).At(0, 0.3f, 0.3f, true).x, first);
+  EXPECT_EQ(reports, 0);
+  Overwrite(file, "no light");
+  EXPECT_EQ(Irradiance(builder.scene, tracer, options).At(0, 0.3f, 0.3f, true).x, first);
+  EXPECT_GT(reports, 0);
+  // A folder that cannot be written costs nothing but time.
+  fs::remove_all(folder_);
+  Overwrite(folder_, "a file");
+  EXPECT_EQ(Irradiance(builder.scene, tracer, options).At(0, 0.3f, 0.3f, true).x, first);
+}
+
+}  // namespace
+}  // namespace silt::sim

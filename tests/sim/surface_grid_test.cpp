@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/sim/surface_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_builder.h"
+
+namespace silt::sim {
+namespace {
+
+float Linear(const Vec3f& p) { return 1 + 2 * p.x - 3 * p.y + 0.5f * p.z; }
+
+Vec3f PointOn(const Mesh& mesh, std::uint32_t triangle, float u, float v) {
+  const std::uint32_t* vertex = mesh.triangles[triangle].vertex;
+  return (1 - u - v) * mesh.positions[vertex[0]] + u * mesh.positions[vertex[1]] +
+         v * mesh.positions[vertex[2]];
+}
+
+float Interpolated(const SurfaceGrid& grid, const SurfaceLookup& at) {
+  float sum = 0;
+  for (int i = 0; i < 4; ++i) {
+    sum += at.weight[i] * Linear(grid.samples()[at.sample[i]].position);
+  }
+  return sum;
+}
+
+Mesh Quad(const Vec3f& u, const Vec3f& v) {
+  SceneBuilder builder;
+  builder.AddQuad({0.1f, 0.2f, 0.3f}, u, v, 0);
+  return builder.scene.mesh;
+}
+
+// What is linear over the plane is met to the millimetre by which samples on the rim are pulled in.
+TEST(SurfaceGrid, LinearFunctionsAreInterpolatedExactly) {
+  for (const float spacing : {10.0f, 0.7f, 0.1f, 0.03f}) {
+    for (const Mesh& mesh : {Quad({1, 0, 0}, {0, 0.6f, 0.2f}), Quad({0.01f, 0, 0}, {0, 2, 0}),
+                             Quad({0, 0.5f, 0}, {0.3f, 0.5f, 0})}) {
+      const SurfaceGrid grid(mesh, spacing);
+      for (std::uint32_t triangle = 0; triangle < 2; ++triangle) {
+        for (int i = 0; i <= 300; ++i) {
+          const float u = float(i % 20) / 20, v = (1 - u) * float(i / 20) / 15;
+          EXPECT_NEAR(Interpolated(grid, grid.Locate(triangle, u, v)),
+                      Linear(PointOn(mesh, triangle, u, v)), 5e-3f)
+              << spacing << " m, triangle " << triangle << ", " << u << ", " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(SurfaceGrid, WeightsAreConvexEverywhere) {
+  const SurfaceGrid grid(Quad({1, 0, 0}, {0, 0.6f, 0.2f}), 0.07f);
+  for (int i = 0; i < 400; ++i) {
+    const float u = float(i % 20) / 19, v = (1 - u) * float(i / 20) / 19;
+    const SurfaceLookup at = grid.Locate(std::uint32_t(i % 2), u, v);
+    float sum = 0;
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_GE(at.weight[k], -1e-6f);
+      EXPECT_LT(at.sample[k], grid.samples().size());
+      sum += at.weight[k];
+    }
+    EXPECT_NEAR(sum, 1, 1e-6f);
+  }
+}
+
+// The two triangles of a quadrilateral, found at a point of their common edge.
+TEST(SurfaceGrid, NeighboursShareTheSamplesOfTheirEdge) {
+  const Mesh mesh = Quad({1, 0, 0}, {0, 0.6f, 0});
+  const SurfaceGrid grid(mesh, 0.05f);
+  for (int i = 0; i <= 40; ++i) {
+    const float along = float(i) / 40;  // from vertex 0 to 2; (0 1 2) and (0 2 3)
+    const SurfaceLookup a = grid.Locate(0, 0, along), b = grid.Locate(1, along, 0);
+    for (std::size_t sample = 0; sample < grid.samples().size(); ++sample) {
+      float difference = 0;
+      for (int k = 0; k < 4; ++k) {
+        if (a.sample[k] == sample) difference += a.weight[k];
+        if (b.sample[k] == sample) difference -= b.weight[k];
+      }
+      EXPECT_NEAR(difference, 0, 1e-5f);
+    }
+  }
+}
+
+TEST(SurfaceGrid, NoPointIsFartherFromASampleThanTheSpacing) {
+  const float spacing = 0.05f;
+  const Mesh mesh = Quad({1, 0, 0}, {0.2f, 0.6f, 0.2f});
+  const SurfaceGrid grid(mesh, spacing);
+  for (int i = 0; i < 900; ++i) {
+    const float u = float(i % 30) / 29, v = (1 - u) * float(i / 30) / 29;
+    const Vec3f point = PointOn(mesh, std::uint32_t(i % 2), u, v);
+    float nearest = 1e9f;
+    for (const SurfaceSample& s : grid.samples()) {
+      nearest = std::min(nearest, Norm(s.position - point));
+    }
+    EXPECT_LT(nearest, spacing);
+  }
+}
+
+// 1/s² samples a square metre: a long, thin part does not pay for its length squared.
+TEST(SurfaceGrid, TheNumberOfSamplesFollowsTheArea) {
+  EXPECT_NEAR(SurfaceGrid(Quad({1, 0, 0}, {0, 1, 0}), 0.02f).samples().size(), 2500, 700);
+  EXPECT_LT(SurfaceGrid(Quad({2, 0, 0}, {0, 0.01f, 0}), 0.02f).samples().size(), 410u);
+}
+
+TEST(SurfaceGrid, SmallTrianglesShareTheirCorners) {
+  SceneBuilder builder;
+  builder.AddSphere({0, 0, 0}, 0.1f, 32, 0);
+  // Rings of 32 corners between the poles; the seam's and the poles' copies are one.
+  EXPECT_EQ(SurfaceGrid(builder.scene.mesh, 0.05f).samples().size(), 15u * 32 + 2);
+}
+
+TEST(SurfaceGrid, HardEdgesKeepTheirSides) {
+  SceneBuilder builder;
+  builder.AddBox({0, 0, 0}, {0.01f, 0.01f, 0.01f}, 0);
+  EXPECT_EQ(SurfaceGrid(builder.scene.mesh, 0.05f).samples().size(), 6u * 4);
+}
+
+TEST(SurfaceGrid, NormalsLieOnTheFrontEvenWhereAModelSaysOtherwise) {
+  Mesh mesh = Quad({1, 0, 0}, {0, 1, 0});
+  for (Vec3f& normal : mesh.normals) normal = {0.1f, 0, -0.995f};
+  const SurfaceGrid grid(mesh, 0.3f);
+  for (const SurfaceSample& sample : grid.samples()) {
+    EXPECT_GT(sample.normal.z, 0.9f);
+  }
+}
+
+TEST(SurfaceGrid, ATriangleWithoutAreaIsHarmless) {
+  Mesh mesh = Quad({1, 0, 0}, {2, 0, 0});
+  for (Vec3f& normal : mesh.normals) normal = {};
+  const SurfaceGrid grid(mesh, 0.1f);
+  for (const SurfaceSample& sample : grid.samples()) {
+    EXPECT_TRUE(std::isfinite(sample.position.x));
+    EXPECT_NEAR(Norm(sample.normal), 1, 1e-6f);
+  }
+}
+
+}  // namespace
+}  // namespace silt::sim
