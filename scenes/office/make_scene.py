@@ -23,7 +23,7 @@ HEAD = """# SPDX-FileCopyrightText: 2026 the silt authors
 
 name = "Office"
 ambient = [0.2, 0.205, 0.215]
-exposure = 1.15"""
+exposure = 1.45"""
 
 
 def main():

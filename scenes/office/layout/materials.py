@@ -63,8 +63,8 @@ def add_materials(scene):
     scene.table("material", name="pin", color="#c8322c")
     scene.table("material", name="pin blue", color="#2c5cb4")
     scene.table("material", name="clock face", texture="../textures/clock.png", cutout=True)
-    for name, glow in (("screen_code", 0.9), ("screen_plots", 0.75)):
+    for name, glow in (("screen_code", 0.68), ("screen_plots", 0.58)):
         scene.table("material", name=name.replace("_", " "), color="#303030", texture=f"../textures/{name}.jpg",
                     emission=(glow, glow, glow))
     scene.table("material", name="town", color="#000000", texture="../textures/window_view.jpg",
-                emission=(1.25, 1.25, 1.25), two_sided=False)
+                emission=(0.9, 0.9, 0.9), two_sided=False)

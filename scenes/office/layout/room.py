@@ -77,7 +77,7 @@ def _window(scene):
 def _daylight(scene):
     """The town is a picture some way off; the sky is a light above what the window shows of it."""
     scene.table("quad", "outside", name="town", material="town", corner=(-5, -4.0, -4.3), u=(0, 15.2, 0), v=(0, 0, 11.4))
-    scene.table("light", name="sky", center=(-1.6, 3.6, 3.9), u=(0, 2.4, 0), v=(0.62, 0, 0.62 * 1.2), radiance=(27, 29, 32))
+    scene.table("light", name="sky", center=(-1.6, 3.6, 3.9), u=(0, 2.4, 0), v=(0.62, 0, 0.62 * 1.2), radiance=(21, 22.5, 25))
 
 
 def _panel(scene, number, x, y):
