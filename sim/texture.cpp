@@ -21,6 +21,21 @@ std::array<float, 256> LinearFromByteTable() {
 
 const std::array<float, 256> kLinearFromByte = LinearFromByteTable();
 
+// Entry i lies half-way, in the encoding, between byte i and the next one.
+std::array<float, 255> ByteLimitTable() {
+  std::array<float, 255> table;
+  for (int i = 0; i < 255; ++i) table[std::size_t(i)] = LinearFromSrgb((float(i) + 0.5f) / 255.0f);
+  return table;
+}
+
+const std::array<float, 255> kByteLimit = ByteLimitTable();
+
+// The nearest sRGB-encoded byte.
+std::uint8_t ByteFromLinear(float linear) {
+  const auto* const limit = std::upper_bound(kByteLimit.begin(), kByteLimit.end(), linear);
+  return std::uint8_t(limit - kByteLimit.begin());
+}
+
 std::uint8_t ByteFromUnit(float value) {
   return std::uint8_t(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
@@ -64,8 +79,8 @@ Rgba8 BoxMean(const Image<Rgba8>& fine, const Span& columns, const Span& rows) {
     }
   }
   if (opacity > 0) colour = (1.0f / opacity) * colour;
-  return {ByteFromUnit(SrgbFromLinear(colour.x)), ByteFromUnit(SrgbFromLinear(colour.y)),
-          ByteFromUnit(SrgbFromLinear(colour.z)), ByteFromUnit(opacity / (255.0f * area))};
+  return {ByteFromLinear(colour.x), ByteFromLinear(colour.y), ByteFromLinear(colour.z),
+          ByteFromUnit(opacity / (255.0f * area))};
 }
 
 Image<Rgba8> Halved(const Image<Rgba8>& fine) {

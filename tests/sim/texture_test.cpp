@@ -73,6 +73,14 @@ TEST(TextureTest, LevelsAverageLinearLight) {
   }
 }
 
+TEST(TextureTest, LevelsOfOneColourKeepIt) {
+  for (int i = 0; i < 256; ++i) {
+    const auto byte = std::uint8_t(i);
+    const Texture texture(Image<Rgba8>(4, 4, Rgba8{byte, byte, 0, 255}));
+    EXPECT_EQ(texture.level(2)(0, 0), (Rgba8{byte, byte, 0, 255}));
+  }
+}
+
 TEST(TextureTest, BlendsBetweenLevels) {
   const Texture texture(Checkerboard(4, 4));
   const float fine = texture.Sample(0.125f, 0.125f, 0).y;  // lower left texel: white
