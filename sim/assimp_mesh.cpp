@@ -13,25 +13,20 @@
 namespace silt::sim {
 namespace {
 
-bool IsFinite(const Vec3f& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 Vec3f FromAssimp(const aiVector3D& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
-// Unit length, or zero where `v` has no direction.
-Vec3f Direction(const Vec3f& v) {
-  const Vec3d wide = v.Cast<double>();
-  const double length = Norm(wide);
+// Unit length; zero where `v` is not finite or has no direction.
+Vec3f Direction(const Vec3d& v) {
+  const double length = Norm(v);
   if (!std::isfinite(length) || length < 1e-30) return {};
-  return ((1 / length) * wide).Cast<float>();
+  return ((1 / length) * v).Cast<float>();
 }
 
 Vec3f GeometricNormal(const Mesh& mesh, const Triangle& t) {
   const Vec3d a = mesh.positions[t.vertex[0]].Cast<double>();
   const Vec3d b = mesh.positions[t.vertex[1]].Cast<double>();
   const Vec3d c = mesh.positions[t.vertex[2]].Cast<double>();
-  return Direction(Cross(b - a, c - a).Cast<float>());
+  return Direction(Cross(b - a, c - a));
 }
 
 class MeshAppender {
@@ -71,7 +66,8 @@ class MeshAppender {
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
       mesh_.positions.push_back(FromAssimp(root_from_node * from.mVertices[i]));
       mesh_.normals.push_back(
-          from.HasNormals() ? Direction(FromAssimp(normal_matrix * from.mNormals[i])) : Vec3f{});
+          from.HasNormals() ? Direction(FromAssimp(normal_matrix * from.mNormals[i]).Cast<double>())
+                            : Vec3f{});
       Vec2f at;
       if (texcoords != nullptr) at = {float(texcoords[i].x), float(texcoords[i].y)};
       mesh_.texcoords.push_back(std::isfinite(at.x) && std::isfinite(at.y) ? at : Vec2f{});
@@ -90,9 +86,6 @@ class MeshAppender {
   }
 
   void AppendTriangle(Triangle triangle) {
-    for (const std::uint32_t v : triangle.vertex) {
-      if (!IsFinite(mesh_.positions[v])) return;
-    }
     Vec3f front = GeometricNormal(mesh_, triangle);
     if (Dot(front, front) == 0) return;
     Vec3f shading;

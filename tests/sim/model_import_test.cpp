@@ -171,11 +171,22 @@ TEST(ModelImportTest, NodesAreFlattened) {
   EXPECT_EQ(largest.z, 3);
 }
 
+TEST(ModelImportTest, NormalsFollowShearedNodes) {
+  const TempFolder folder;
+  const Model model = Import(
+      folder.Write("a.gltf", SampleGltf("\"matrix\":[1,0,1,0, 0,1,0,0, 0,0,1,0, 0,0,0,1],")));
+  const Triangle& t = model.mesh.triangles.at(0);
+  const Vec3f front = FrontOf(model.mesh, t);
+  EXPECT_NEAR(front.x, -std::sqrt(0.5f), 1e-6);
+  for (const std::uint32_t v : t.vertex) EXPECT_NEAR(Dot(model.mesh.normals[v], front), 1, 1e-6);
+}
+
 TEST(ModelImportTest, LeavesOutBrokenTriangles) {
   const TempFolder folder;
-  const Model model = Import(folder.Write("m.obj",
-                                          "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 2 0 0\n"
-                                          "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\n"));
+  const Model model =
+      Import(folder.Write("m.obj",
+                          "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 2 0 0\nv inf 0 1\n"
+                          "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\nf 1 3 6\n"));
   ASSERT_EQ(model.mesh.triangles.size(), 1u);
   for (const std::uint32_t v : model.mesh.triangles[0].vertex) {
     EXPECT_NEAR(Norm(model.mesh.normals[v]), 1, 1e-6);

@@ -98,6 +98,17 @@ TEST(TextureTest, OddSizesKeepTheMean) {
   EXPECT_NEAR(texture.Sample(0.5f, 0.5f, 9).x, 1 / 3.0f, 3e-3);
 }
 
+TEST(TextureTest, OddSizesShareTheTexelInTheMiddle) {
+  Image<Rgba8> picture(5, 5, kBlack);
+  for (int i = 0; i < 5; ++i) picture(2, i) = kWhite;
+  const Texture texture(picture);
+  ASSERT_EQ(texture.level(1).width(), 2);
+  // Half of one column in two and a half.
+  const auto fifth = std::uint8_t(std::lround(255 * SrgbFromLinear(0.2f)));
+  EXPECT_EQ(texture.level(1)(0, 0).r, fifth);
+  EXPECT_EQ(texture.level(1)(1, 1).r, fifth);
+}
+
 TEST(TextureTest, ColourDoesNotFadeIntoInvisibleTexels) {
   Image<Rgba8> picture(4, 4, Rgba8{0, 255, 0, 0});
   picture(0, 0) = picture(1, 1) = kRed;
