@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "silt/core/error.h"
@@ -77,6 +78,7 @@ class LevenbergMarquardt {
   }
 
   void RunLevel(int level) {
+    FindVisible(level);
     Linearize(level);
     if (!CheckStart(level)) return;
     AlignmentLevel summary;
@@ -116,6 +118,14 @@ class LevenbergMarquardt {
     return converged;
   }
 
+  void FindVisible(int level) {
+    if (!options_.exclude_hidden) return;
+    const Stopwatch watch(&result_.times.residual_ms);
+    visible_ = backend_.WithoutHidden(pair_.reference, level - 1, pose_);
+  }
+
+  ImagePair VisiblePair() const { return {visible_ ? *visible_ : pair_.reference, pair_.current}; }
+
   std::optional<Twistd> TimedSolve() {
     const Stopwatch watch(&result_.times.update_ms);
     return Solve(equations_, damping_);
@@ -128,12 +138,12 @@ class LevenbergMarquardt {
 
   PhotometricCost TimedCost(int level, const SE3d& pose) {
     const Stopwatch watch(&result_.times.residual_ms);
-    return backend_.Cost(pair_, level - 1, pose);
+    return backend_.Cost(VisiblePair(), level - 1, pose);
   }
 
   void Linearize(int level) {
     const Stopwatch watch(&result_.times.jacobian_ms);
-    equations_ = backend_.Linearize(pair_, level - 1, pose_);
+    equations_ = backend_.Linearize(VisiblePair(), level - 1, pose_);
   }
 
   void Fail(const std::string& why) { result_.failure = why; }
@@ -153,6 +163,7 @@ class LevenbergMarquardt {
   const Backend& backend_;
   const ImagePair& pair_;
   const AlignmentOptions& options_;
+  std::unique_ptr<ReferencePyramid> visible_;  // the reference without hidden pixels
   SE3d pose_;
   NormalEquations equations_;  // at pose_, but for a level's last iteration
   PhotometricCost cost_;       // at pose_

@@ -56,6 +56,11 @@ class Backend {
   virtual std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>& intensity,
                                                       int levels) const = 0;
 
+  // The keyframe as the current camera sees it: its pixels whose points are hidden there (see
+  // visibility.h) have no depth. To be used at this level alone.
+  virtual std::unique_ptr<ReferencePyramid> WithoutHidden(
+      const ReferencePyramid& reference, int level, const SE3d& current_from_reference) const = 0;
+
   // Residuals alone: warp, eq. 2, cost.
   virtual PhotometricCost Cost(const ImagePair& pair, int level,
                                const SE3d& current_from_reference) const = 0;

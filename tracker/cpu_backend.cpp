@@ -8,6 +8,7 @@
 #include "silt/core/error.h"
 #include "silt/core/pyramid.h"
 #include "silt/tracker/cpu_reduction.h"
+#include "silt/tracker/visibility.h"
 
 namespace silt::tracker {
 namespace {
@@ -26,20 +27,31 @@ Pyramid IntensityPyramid(const Image<float>& finest, int levels) {
                      [](const Image<float>& image) { return HalvedIntensity(image); });
 }
 
+Pyramid DepthPyramid(const Image<float>& finest_m, int levels) {
+  return MakePyramid(finest_m, levels,
+                     [](const Image<float>& depth) { return HalvedDepth(depth); });
+}
+
 class CpuReference : public ReferencePyramid {
  public:
   CpuReference(const Image<float>& finest_intensity, const Image<float>& finest_depth_m,
                PinholeCamera camera, int levels)
-      : intensity(IntensityPyramid(finest_intensity, levels)),
-        depth_m(MakePyramid(finest_depth_m, levels,
-                            [](const Image<float>& depth) { return HalvedDepth(depth); })) {
+      : intensity(std::make_shared<Pyramid>(IntensityPyramid(finest_intensity, levels))),
+        depth_m(DepthPyramid(finest_depth_m, levels)) {
     for (const Image<float>& depth : depth_m) {
       levels_.push_back({camera, int(std::count_if(depth.begin(), depth.end(), IsMeasured))});
       camera = camera.Halved();
     }
   }
 
-  const Pyramid intensity, depth_m;
+  // `other` with depths of its own, down to a level.
+  CpuReference(const CpuReference& other, const Image<float>& finest_depth_m, int level)
+      : intensity(other.intensity), depth_m(DepthPyramid(finest_depth_m, level + 1)) {
+    levels_ = other.levels_;
+  }
+
+  const std::shared_ptr<const Pyramid> intensity;
+  const Pyramid depth_m;
 };
 
 class CpuCurrent : public CurrentPyramid {
@@ -68,6 +80,15 @@ class CpuBackend : public Backend {
     return std::make_unique<CpuCurrent>(intensity, levels);
   }
 
+  std::unique_ptr<ReferencePyramid> WithoutHidden(
+      const ReferencePyramid& reference, int level,
+      const SE3d& current_from_reference) const override {
+    const auto& full = dynamic_cast<const CpuReference&>(reference);
+    const Image<float> visible =
+        VisibleDepth(full.depth_m[0], full.levels()[0].camera, current_from_reference);
+    return std::make_unique<CpuReference>(full, visible, level);
+  }
+
   PhotometricCost Cost(const ImagePair& pair, int level,
                        const SE3d& current_from_reference) const override {
     return ReduceCost(Images(pair, level), current_from_reference);
@@ -82,12 +103,13 @@ class CpuBackend : public Backend {
   static LevelImages Images(const ImagePair& pair, int level) {
     const auto& reference = dynamic_cast<const CpuReference&>(pair.reference);
     const auto& current = dynamic_cast<const CpuCurrent&>(pair.current);
-    SILT_CHECK(level >= 0 && level < int(reference.levels().size()));
+    SILT_CHECK(level >= 0 && level < int(reference.depth_m.size()));
     SILT_CHECK(level < int(current.intensity.size()));
     const PinholeCamera& camera = reference.levels()[level].camera;
     SILT_CHECK(current.intensity[level].width() == camera.width &&
                current.intensity[level].height() == camera.height);
-    return {camera, reference.intensity[level], reference.depth_m[level], current.intensity[level]};
+    return {camera, (*reference.intensity)[level], reference.depth_m[level],
+            current.intensity[level]};
   }
 };
 

@@ -67,6 +67,30 @@ TEST(AlignmentRecovery, ThePyramidReachesFartherThanOneLevel) {
   EXPECT_GT(error({200}), 1e-2);
 }
 
+// A board moves before the wall, and hides one side of it: what the reference shows there is no
+// residual of the pose.
+TEST(AlignmentRecovery, HiddenPixelsDoNotPullThePose) {
+  const SE3d current_from_reference = SE3d::Exp({{0, 0.02, 0}, {0.12, 0.03, 0}});
+  const SE3d start = SE3d::Exp({{0.004, -0.004, 0}, {-0.02, 0.01, 0.01}}) * current_from_reference;
+  const std::unique_ptr<Backend> backend = MakeCpuBackend();
+  const View reference = RenderRoomWithBoard({});
+  const View current = RenderRoomWithBoard(current_from_reference.Inverse());
+  const auto error = [&](bool exclude_hidden) {
+    AlignmentOptions options;
+    options.max_iterations = {10, 10, 20};
+    options.exclude_hidden = exclude_hidden;
+    const auto pyramid = backend->MakeReference(reference.intensity, reference.depth_m,
+                                                kSmallCamera, options.levels());
+    const auto current_pyramid = backend->MakeCurrent(current.intensity, options.levels());
+    const AlignmentResult result = Align(*backend, {*pyramid, *current_pyramid}, start, options);
+    EXPECT_TRUE(result.ok) << result.failure;
+    return Distance(result.current_from_reference, current_from_reference);
+  };
+  // What is left comes of the board's own edges, as coarse as this image is.
+  EXPECT_LT(error(true), 6e-3);
+  EXPECT_GT(error(false), 1e-2);
+}
+
 TEST(AlignmentRecovery, CostsFallAtEveryLevel) {
   for (const AlignmentLevel& level : AlignRoom(SE3d{}).levels) {
     EXPECT_LE(level.final_cost.mean(), level.initial_cost.mean()) << level.level;

@@ -42,6 +42,10 @@ class FakeBackend : public Backend {
   std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>&, int) const override {
     return nullptr;
   }
+  std::unique_ptr<ReferencePyramid> WithoutHidden(const ReferencePyramid& reference, int,
+                                                  const SE3d&) const override {
+    return std::make_unique<ReferencePyramid>(reference);
+  }
   PhotometricCost Cost(const ImagePair&, int level, const SE3d& pose) const override {
     return cost_(level, pose.translation.x);
   }

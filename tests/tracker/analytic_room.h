@@ -47,6 +47,50 @@ inline double DistanceToWall(const Vec3d& origin, const Vec3d& direction) {
   return nearest;
 }
 
+// A board that hangs in the room, 1 × 0.7 m, parallel to the wall behind it.
+inline constexpr Vec3d kBoardCorner{-0.5, -0.4, 1.2};
+
+// Distance along the ray, in units of `direction`, to the board; infinite beside it.
+inline double DistanceToBoard(const Vec3d& origin, const Vec3d& direction) {
+  const double s = (kBoardCorner.z - origin.z) / direction.z;
+  const Vec3d p = origin + s * direction - kBoardCorner;
+  const bool hit = s > 0 && p.x > 0 && p.x < 1 && p.y > 0 && p.y < 0.7;
+  return hit ? s : std::numeric_limits<double>::infinity();
+}
+
+struct Hit {
+  double depth_m;
+  float intensity;
+};
+
+// What the ray through (x, y) meets: the room in detail, its walls paler and the board darker.
+inline Hit BoardOrWall(const SE3d& room_from_camera, const PinholeCamera& camera, double x,
+                       double y) {
+  const Vec3d direction = room_from_camera.rotation * camera.Unproject(x, y, 1.0);
+  const double wall = DistanceToWall(room_from_camera.translation, direction);
+  const double board = DistanceToBoard(room_from_camera.translation, direction);
+  const double z = std::min(wall, board);
+  const float pattern = DetailedPattern(room_from_camera.translation + z * direction);
+  return {z, board < wall ? 0.4f * pattern : 0.3f + 0.7f * pattern};
+}
+
+// The intensity is the mean over the pixel's area, as the edges of the board need it.
+inline View RenderRoomWithBoard(const SE3d& room_from_camera,
+                                const PinholeCamera& camera = kSmallCamera) {
+  View view{Image<float>(camera.width, camera.height), Image<float>(camera.width, camera.height)};
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      view.depth_m(x, y) = float(BoardOrWall(room_from_camera, camera, x, y).depth_m);
+      for (int i = 0; i < 16; ++i) {
+        const double dx = (i % 4 - 1.5) / 4, dy = (i / 4 - 1.5) / 4;
+        view.intensity(x, y) +=
+            BoardOrWall(room_from_camera, camera, x + dx, y + dy).intensity / 16;
+      }
+    }
+  }
+  return view;
+}
+
 inline View RenderRoom(const SE3d& room_from_camera, const PinholeCamera& camera = kSmallCamera,
                        float (*pattern)(const Vec3d&) = RoomPattern) {
   View view{Image<float>(camera.width, camera.height), Image<float>(camera.width, camera.height)};
