@@ -10,29 +10,47 @@
 
 namespace silt::sim {
 
+namespace {
+
+// A point that sees nothing farther than this is inside something: a rough value will do.
+constexpr float kBuriedM = 0.02f;
+
+}  // namespace
+
 IndirectLight::IndirectLight(const Scene& scene, const RayTracer& tracer, int directions)
-    : scene_(scene), tracer_(tracer), directions_(CosineDirections(directions)) {}
+    : scene_(scene), tracer_(tracer) {
+  // Each packet covers the whole hemisphere, so that one alone is an estimate.
+  const std::vector<Vec3f> sorted = CosineDirections(directions);
+  const std::size_t packets = (sorted.size() + kPacketSize - 1) / kPacketSize;
+  for (std::size_t packet = 0; packet < packets; ++packet) {
+    for (std::size_t i = packet; i < sorted.size(); i += packets) directions_.push_back(sorted[i]);
+  }
+}
 
 Vec3f IndirectLight::Irradiance(const Vec3f& position, const Vec3f& unit_normal,
                                 const SurfaceRadiance& radiance) const {
   const TangentFrame frame(unit_normal);
   const Vec3f origin = position + kRayOffsetM * unit_normal;
   Vec3f sum;
-  for (std::size_t first = 0; first < directions_.size(); first += kPacketSize) {
-    const int count = int(std::min<std::size_t>(kPacketSize, directions_.size() - first));
+  std::size_t traced = 0;
+  float farthest_m = 0;
+  while (traced < directions_.size() && (traced == 0 || farthest_m > kBuriedM)) {
+    const int count = int(std::min<std::size_t>(kPacketSize, directions_.size() - traced));
     RayPacket rays;
     for (int i = 0; i < count; ++i) {
-      rays.Set(i, {origin, frame.World(directions_[first + std::size_t(i)])});
+      rays.Set(i, {origin, frame.World(directions_[traced + std::size_t(i)])});
     }
     HitPacket hits;
     tracer_.Trace(rays, hits);
     for (int i = 0; i < count; ++i) {
-      const std::uint32_t triangle = hits.triangle[i];
-      sum += triangle == kNoTriangle ? scene_.ambient
-                                     : radiance(triangle, hits.u[i], hits.v[i], hits.cosine[i] < 0);
+      const bool missed = hits.triangle[i] == kNoTriangle;
+      farthest_m = std::max(farthest_m, missed ? rays.far[i] : hits.distance[i]);
+      sum += missed ? scene_.ambient
+                    : radiance(hits.triangle[i], hits.u[i], hits.v[i], hits.cosine[i] < 0);
     }
+    traced += std::size_t(count);
   }
-  return (std::numbers::pi_v<float> / float(directions_.size())) * sum;
+  return (std::numbers::pi_v<float> / float(traced)) * sum;
 }
 
 }  // namespace silt::sim

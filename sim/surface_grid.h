@@ -14,7 +14,7 @@ namespace silt::sim {
 // the rim of a surface, out of the wall that it may touch there.
 struct SurfaceSample {
   Vec3f position, normal;         // unit shading normal, on the front side of the triangles
-  bool on_wide_triangle = false;  // on one that carries rows
+  bool on_wide_triangle = false;  // on one with several rows
 };
 
 // Where a value is looked up: Σ weight·value(sample).

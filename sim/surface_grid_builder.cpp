@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kPullM = 1e-3f;
 constexpr float kMostIntervals = 4096;
+constexpr int kRowsOfWide = 3;
 
 Vec3f SafelyNormalized(const Vec3f& v, const Vec3f& otherwise) {
   const float norm = Norm(v);
@@ -86,7 +87,7 @@ void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners)
       weight[(apex + 1) % 3] = (1 - up) * (1 - along);
       weight[(apex + 2) % 3] = (1 - up) * along;
       const std::uint32_t sample = Sample(triangle, corners, {weight[0], weight[1], weight[2]});
-      grid_.samples_[sample].on_wide_triangle = true;
+      if (count >= kRowsOfWide) grid_.samples_[sample].on_wide_triangle = true;
       grid_.row_samples_.push_back(sample);
     }
   }
