@@ -64,7 +64,9 @@ class RunTable {
 
 ComparisonTable Empty(const RunTable& runs, const std::string& title) {
   ComparisonTable table{title, runs.sequences, {"paper"}, {}};
-  for (const std::string& preset : runs.presets) table.columns.push_back("silt " + preset);
+  for (const std::string& preset : runs.presets) {
+    table.columns.push_back(runs.presets.size() == 1 ? "silt" : "silt " + preset);
+  }
   return table;
 }
 

@@ -8,6 +8,7 @@
 #include "silt/experiments/commands.h"
 #include "silt/experiments/manifest.h"
 #include "silt/experiments/output.h"
+#include "silt/experiments/resources.h"
 
 namespace silt::experiments {
 namespace {
@@ -24,6 +25,8 @@ std::string Format(const Json& facts) {
     line.resize(std::max<std::size_t>(line.size() + 1, 16), ' ');
     if (value.is_object()) {
       for (const auto& [name, inner] : value.items()) line += name + " " + Text(inner) + "  ";
+    } else if (value.is_array()) {
+      for (const Json& inner : value) line += Text(inner) + "  ";
     } else {
       line += Text(value);
     }
@@ -40,7 +43,8 @@ void AddInfoCommand(CLI::App& program, const Invocation&) {
       "info", "Say what this build is and can do: versions, devices, SIMD level, scenes");
   command->add_option("--json", *json, "Write the same to this file (-: to stdout)");
   command->callback([json] {
-    const Json facts = BuildFacts();
+    Json facts = BuildFacts();
+    facts["scenes"] = SceneNames();
     if (!json->empty()) WriteJson(*json, facts);
     if (*json != "-") Print(Format(facts));
   });

@@ -11,6 +11,7 @@
 
 #include "silt/core/parallel.h"
 #include "silt/experiments/build_info.h"
+#include "silt/sim/embree_adapter.h"
 
 namespace silt::experiments {
 namespace {
@@ -23,6 +24,13 @@ std::string ProcessorName() {
     if (colon != line.npos) return line.substr(colon + 2);
   }
   return "unknown";
+}
+
+// The widest registers that the processor has; the compiler's flags tell which are used.
+std::string SimdLevel() {
+  if (__builtin_cpu_supports("avx512f")) return "AVX-512";
+  if (__builtin_cpu_supports("avx2")) return "AVX2";
+  return __builtin_cpu_supports("sse4.2") ? "SSE4.2" : "SSE2";
 }
 
 std::string DateUtc() {
@@ -48,8 +56,12 @@ Json BuildFacts() {
           {"flags", kCompilerFlags},
           {"processor", ProcessorName()},
           {"threads", ThreadCount()},
+          {"simd", SimdLevel()},
           {"cuda", kHasCuda ? "compiled in" : "not compiled in"},
-          {"libraries", {{"OpenCV", cv::getVersionString()}, {"Eigen", EigenVersion()}}}};
+          {"libraries",
+           {{"Embree", sim::EmbreeAdapter::Version()},
+            {"OpenCV", cv::getVersionString()},
+            {"Eigen", EigenVersion()}}}};
 }
 
 Json MakeManifest(const std::string& command_line, const Json& config, std::uint64_t seed) {

@@ -44,14 +44,18 @@ std::string CommandLine(int argc, const char* const* argv) {
   return line;
 }
 
-// CLI11 would only say that a command is required.
+// CLI11 would only say that a command is required, not which word is none.
 void RequireKnownCommand(const CLI::App& app, int argc, const char* const* argv) {
-  if (argc < 2) throw CLI::RequiredError("a command");
-  const std::string word = argv[1];
-  const bool help = word == "-h" || word == "--help" || word == "--version";
-  const auto named = [&](const CLI::App* command) { return command->get_name() == word; };
-  if (help || !app.get_subcommands(named).empty()) return;
-  throw CLI::ExtrasError({"'" + word + "' (no such command)"});
+  const CLI::App* command = &app;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto named = [&](const CLI::App* each) { return each->get_name() == word; };
+    const auto all = [](const CLI::App*) { return true; };
+    if (word.starts_with("-") || command->get_subcommands(all).empty()) return;
+    const auto found = command->get_subcommands(named);
+    if (found.empty()) throw CLI::ExtrasError({"'" + word + "' (no such command)"});
+    command = found.front();
+  }
 }
 
 void AddCommands(CLI::App& app, const Invocation& invocation) {

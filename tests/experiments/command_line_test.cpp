@@ -52,6 +52,52 @@ INSTANTIATE_TEST_SUITE_P(Evaluate, BadCommandLine,
                                          BadLine{"evaluate a b --metres -1", "--metres"},
                                          BadLine{"evaluate a b --frames 1e99", "--frames"}));
 
+// --out of these must never come to be made.
+INSTANTIATE_TEST_SUITE_P(
+    Render, BadCommandLine,
+    testing::Values(
+        BadLine{"render --out /none/x", "--scene"}, BadLine{"render --scene studio", "--out"},
+        BadLine{"render --scene palace --out build-x", "'palace'; there are:"},
+        BadLine{"render --scene ./none.toml --out build-x", "./none.toml"},
+        BadLine{"render --scene studio --trajectory moon --out build-x", "'moon'"},
+        BadLine{"render --scene studio --fps 0 --out build-x", "--fps: '0'"},
+        BadLine{"render --scene studio --fps many --out build-x", "--fps: 'many'"},
+        BadLine{"render --scene studio --start -1 --out build-x", "--start"},
+        BadLine{"render --scene studio --start 1e5 --out build-x", "--start and --duration"},
+        BadLine{"render --scene studio --duration 1e5 --out build-x", "--start and --duration"},
+        BadLine{"render --scene studio --spp 0 --out build-x", "--spp"},
+        BadLine{"render --scene studio --spp 2.5 --out build-x", "--spp"},
+        BadLine{"render --scene studio --width 30 --out build-x", "--width"},
+        BadLine{"render --scene studio --blur lots --out build-x", "--blur: 'lots'"},
+        BadLine{"render --scene studio --blur 1 --out build-x", "--blur: '1'"},
+        BadLine{"render --scene studio --noise white --out build-x", "--noise"},
+        BadLine{"render --scene studio --seed -1 --out build-x", "--seed"},
+        BadLine{"render --scene studio --threads -1 --out build-x", "--threads"},
+        BadLine{"render --scene studio --out /usr", "silt did not write"},
+        BadLine{"render --scene studio --duration 0.1 --out /proc/none/x", "/proc/none/x"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Track, BadCommandLine,
+    testing::Values(BadLine{"track --out x.txt", "--scene"},
+                    BadLine{"track /none --scene studio --out x.txt", "either"},
+                    BadLine{"track /none --out x.txt", "/none"}, BadLine{"track /none", "--out"},
+                    BadLine{"track /none --every 0 --out x.txt", "--every"},
+                    BadLine{"track --scene studio --preset best --out x.txt", "'best'"},
+                    BadLine{"track --scene studio --backend gpu --out x.txt", "'gpu'"},
+                    BadLine{"track --scene studio --init magic --out x.txt", "'magic'"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Experiment, BadCommandLine,
+    testing::Values(BadLine{"experiment", "subcommand"}, BadLine{"experiment speed", "speed"},
+                    BadLine{"experiment accuracy", "--out"},
+                    BadLine{"experiment accuracy --full --quick --out x", "not both"},
+                    BadLine{"experiment accuracy --seeds 0 --out x", "--seeds"},
+                    BadLine{"experiment accuracy --duration 0 --out x", "--duration"},
+                    BadLine{"experiment accuracy --width 1 --out x", "--width"},
+                    BadLine{"experiment accuracy --quick --preset best --out x", "'best'"},
+                    BadLine{"experiment accuracy --quick --backend gpu --out x", "'gpu'"},
+                    BadLine{"experiment accuracy --out /usr", "silt did not write"}));
+
 class EvaluateCommand : public testing::Test {
  protected:
   void SetUp() override {
@@ -108,7 +154,8 @@ TEST_F(EvaluateCommand, AMalformedTrajectoryIsToldWithItsLine) {
 TEST(InfoCommand, NamesTheBuild) {
   const ProgramResult result = RunSilt("info");
   EXPECT_EQ(result.exit_code, 0);
-  for (const char* fact : {"commit", "compiler", "threads", "cuda", "OpenCV", "Eigen"}) {
+  for (const char* fact :
+       {"commit", "compiler", "threads", "cuda", "simd", "Embree", "OpenCV", "Eigen", "studio"}) {
     EXPECT_THAT(result.out, HasSubstr(fact));
   }
 }

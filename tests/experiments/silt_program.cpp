@@ -28,14 +28,14 @@ TestFolder::~TestFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-ProgramResult RunSilt(const std::string& arguments) {
+ProgramResult RunSilt(const std::string& arguments, const std::string& before) {
   const TestFolder folder;
   const std::string out = (folder / "out").string(), error = (folder / "error").string();
-  const std::string command = std::string(SILT_PROGRAM) + " " + arguments;
   // The arguments may redirect stdout themselves.
   const bool redirected = arguments.find('>') != arguments.npos;
-  const int status =
-      std::system((command + (redirected ? "" : " > " + out) + " 2> " + error).c_str());
+  const std::string command = before + " " + SILT_PROGRAM + " " + arguments +
+                              (redirected ? "" : " > " + out) + " 2> " + error;
+  const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(out), ReadText(error)};
 }
 

@@ -12,8 +12,9 @@ struct ProgramResult {
   std::string out, error;
 };
 
-// Runs the built program with these arguments, as typed into a shell.
-ProgramResult RunSilt(const std::string& arguments);
+// Runs the built program with these arguments, as typed into a shell; `before` stands before it on
+// the command line: "ulimit -f 1;" or "timeout 5".
+ProgramResult RunSilt(const std::string& arguments, const std::string& before = "");
 
 // A folder of the running test's own, empty at the start and gone at the end.
 class TestFolder {
