@@ -87,14 +87,34 @@ TEST_P(RandomAtSeed, NeighboursAreUncorrelated) {
   }
 }
 
-TEST_P(RandomAtSeed, SuccessiveNormalsAreUncorrelated) {
-  const CounterRandom random(GetParam());
-  std::vector<double> now, next;
-  for (std::uint64_t i = 0; i < kDraws; ++i) {
-    now.push_back(random.Normal(i));
-    next.push_back(random.Normal(i + 1));
+std::vector<double> Normals(const CounterRandom& random, std::uint64_t first) {
+  std::vector<double> values;
+  for (std::uint64_t i = 0; i < kDraws; ++i) values.push_back(random.Normal(first + i));
+  return values;
+}
+
+std::vector<double> Squared(std::vector<double> values) {
+  for (double& value : values) value *= value;
+  return values;
+}
+
+// N(0, 1) has mean 0 with variance 1, and mean square 1 with variance 2.
+TEST_P(RandomAtSeed, NormalHasItsMoments) {
+  double sum = 0, sum_of_squares = 0;
+  for (double value : Normals(CounterRandom(GetParam()), 0)) {
+    sum += value;
+    sum_of_squares += value * value;
   }
+  EXPECT_LT(std::abs(sum) / std::sqrt(double(kDraws)), kTwoSidedZ);
+  EXPECT_LT(std::abs(sum_of_squares - kDraws) / std::sqrt(2.0 * kDraws), kTwoSidedZ);
+}
+
+// Normals that shared a uniform number would be uncorrelated; their squares would not.
+TEST_P(RandomAtSeed, SuccessiveNormalsAreIndependent) {
+  const CounterRandom random(GetParam());
+  const std::vector<double> now = Normals(random, 0), next = Normals(random, 1);
   EXPECT_LT(std::abs(ScaledCorrelation(now, next, 0, 1)), kTwoSidedZ);
+  EXPECT_LT(std::abs(ScaledCorrelation(Squared(now), Squared(next), 1, 2)), kTwoSidedZ);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomAtSeed, testing::Values(0, 1, 42, ~std::uint64_t(0)));
