@@ -25,5 +25,8 @@ void AddInfoCommand(CLI::App& program, const Invocation& invocation);
 
 // Subcommands of `experiment`.
 void AddAccuracyExperiment(CLI::App& experiments, const Invocation& invocation);
+void AddConvergenceExperiment(CLI::App& experiments, const Invocation& invocation);
+void AddInitializationExperiment(CLI::App& experiments, const Invocation& invocation);
+void AddTimingExperiment(CLI::App& experiments, const Invocation& invocation);
 
 }  // namespace silt::experiments

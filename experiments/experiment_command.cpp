@@ -11,6 +11,9 @@ void AddExperimentCommand(CLI::App& program, const Invocation& invocation) {
       program.add_subcommand("experiment", "Repeat an experiment of the paper and report on it");
   command->require_subcommand(1);
   AddAccuracyExperiment(*command, invocation);
+  AddConvergenceExperiment(*command, invocation);
+  AddInitializationExperiment(*command, invocation);
+  AddTimingExperiment(*command, invocation);
 }
 
 }  // namespace silt::experiments

@@ -21,7 +21,7 @@ struct SurfFeature {
 };
 
 struct SurfOptions {
-  int max_features = 1000;  // the strongest are kept
+  int max_features = 700;  // the strongest are kept
   // Least determinant of the Hessian, on 8-bit intensities. dlib's default of 30 finds 180 features
   // in a ray-traced 640×480 office with plain walls, 1 finds 590, for 5 ms more.
   double detection_threshold = 1;

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/experiments/pair_alignment.h"
+
+#include "silt/core/color.h"
+
+namespace silt::experiments {
+
+PairAlignment::PairAlignment(const tracker::Backend& backend, const FramePair& pair, int levels)
+    : backend_(backend),
+      reference_(backend.MakeReference(GrayFromRgb(pair.reference.rgb), pair.reference.depth_m,
+                                       pair.camera, levels)),
+      current_(backend.MakeCurrent(GrayFromRgb(pair.current.rgb), levels)),
+      truth_(pair.current_from_reference) {}
+
+tracker::AlignmentResult PairAlignment::Align(const SE3d& start,
+                                              const tracker::AlignmentOptions& options) const {
+  return tracker::Align(backend_, {*reference_, *current_}, start, options);
+}
+
+}  // namespace silt::experiments

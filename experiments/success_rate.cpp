@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/experiments/success_rate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "silt/core/random.h"
+#include "silt/experiments/statistics.h"
+
+namespace silt::experiments {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// Uniform on the unit sphere (Archimedes: z is uniform in [−1, 1]).
+Vec3d Direction(const CounterRandom& random, std::uint64_t index) {
+  const double z = 2 * random.Uniform(2 * index) - 1;
+  const double phi = 2 * kPi * random.Uniform(2 * index + 1);
+  const double r = std::sqrt(std::max(0.0, 1 - z * z));
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+int Solves(const tracker::AlignmentResult& result) {
+  int solves = 0;
+  for (const tracker::AlignmentLevel& level : result.levels) solves += level.iterations;
+  return solves;
+}
+
+}  // namespace
+
+SE3d RandomStart(const SE3d& truth, const PoseDifference& offset, std::uint64_t seed, int index) {
+  const CounterRandom random(seed, std::uint64_t(index));
+  SE3d reference_from_current = truth.Inverse();
+  reference_from_current.translation += offset.distance_m * Direction(random, 0);
+  const Vec3d omega = offset.angle_deg * kPi / 180 * Direction(random, 1);
+  reference_from_current.rotation =
+      (reference_from_current.rotation * Quaterniond::Exp(omega)).Normalized();
+  return reference_from_current.Inverse();
+}
+
+Interval WilsonInterval(int successes, int trials) {
+  if (trials <= 0) return {};
+  constexpr double z = 1.959963985;
+  const double n = trials, p = successes / n;
+  const double centre = (p + z * z / (2 * n)) / (1 + z * z / n);
+  const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
+}
+
+SuccessRate MeasureSuccessRate(const std::vector<PairAlignment>& pairs, const RandomStarts& starts,
+                               const tracker::AlignmentOptions& options) {
+  SuccessRate success{starts.offset, 0, 0, 0};
+  std::vector<double> solves;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    for (int i = 0; i < starts.count; ++i) {
+      const int index = int(p) * starts.count + i;
+      const SE3d start = RandomStart(pairs[p].truth(), starts.offset, starts.seed, index);
+      const tracker::AlignmentResult result = pairs[p].Align(start, options);
+      const PoseDifference error = Difference(pairs[p].truth(), result.current_from_reference);
+      ++success.starts;
+      success.recovered += result.ok && error.Within(kRecovered);
+      solves.push_back(Solves(result));
+    }
+  }
+  if (!solves.empty()) success.median_solves = Median(solves);
+  return success;
+}
+
+}  // namespace silt::experiments

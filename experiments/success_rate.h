@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "silt/experiments/pair_alignment.h"
+#include "silt/experiments/pose_difference.h"
+#include "silt/tracker/options.h"
+
+namespace silt::experiments {
+
+// An aligned pose counts as recovered up to this error.
+inline constexpr PoseDifference kRecovered{1e-3, 0.1};
+
+// The true pose, with the camera moved by exactly this distance in a random direction and turned by
+// exactly this angle about a random axis. A pure function of its arguments.
+SE3d RandomStart(const SE3d& truth, const PoseDifference& offset, std::uint64_t seed, int index);
+
+struct SuccessRate {
+  PoseDifference offset;  // of the starts
+  int starts = 0, recovered = 0;
+  double median_solves = 0;  // over all levels
+  double rate() const { return starts > 0 ? double(recovered) / starts : 0; }
+};
+
+// 95 % interval of a rate (Wilson's, which holds near 0 and 1 too).
+struct Interval {
+  double low = 0, high = 1;
+};
+Interval WilsonInterval(int successes, int trials);
+
+struct RandomStarts {
+  PoseDifference offset;
+  int count = 10;  // per pair
+  std::uint64_t seed = 0;
+};
+
+// The share of random starts from which the alignment recovers the true motion, over all pairs.
+SuccessRate MeasureSuccessRate(const std::vector<PairAlignment>& pairs, const RandomStarts& starts,
+                               const tracker::AlignmentOptions& options);
+
+}  // namespace silt::experiments

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "silt_program.h"
+
+// The experiments from the command line, as small as they get.
+namespace silt::experiments {
+namespace {
+
+using testing::HasSubstr;
+
+nlohmann::json ResultsOf(const TestFolder& folder, const std::string& experiment,
+                         const std::string& options) {
+  const auto out = folder / experiment;
+  const ProgramResult result =
+      RunSilt("experiment " + experiment + " --scene studio " + options + " --out " + out.string());
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_THAT(result.out, HasSubstr("Results: "));
+  EXPECT_TRUE(std::filesystem::exists(out / "manifest.json"));
+  const auto json = nlohmann::json::parse(ReadText(out / (experiment + ".json")), nullptr, false);
+  EXPECT_EQ(json["manifest"]["program"], "silt");
+  EXPECT_THAT(json["manifest"]["command"].get<std::string>(),
+              HasSubstr("experiment " + experiment));
+  return json;
+}
+
+TEST(ConvergenceCommand, WritesTable1AndSuccessRates) {
+  const TestFolder folder;
+  const auto json = ResultsOf(folder, "convergence", "--quick --width 160 --starts 1");
+  EXPECT_EQ(json["levels"].size(), 5u);
+  EXPECT_EQ(json["success_rates"].size(), 6u);
+  EXPECT_THAT(ReadText(folder / "convergence/levels.csv"), HasSubstr("paper_ratio"));
+  EXPECT_THAT(ReadText(folder / "convergence/iterations.csv"), HasSubstr("update_norm"));
+}
+
+TEST(InitializationCommand, WritesACasePerConditionKeyframeGapAndMethod) {
+  const TestFolder folder;
+  const auto json =
+      ResultsOf(folder, "initialization", "--quick --width 160 --spp 1 --keyframes 1 --gaps 1 5");
+  EXPECT_EQ(json["cases"].size(), 18u);
+  EXPECT_EQ(json["summary"].size(), 18u);
+  EXPECT_EQ(json["summary"][0]["condition"], "sharp");
+  EXPECT_EQ(json["summary"][17]["condition"], "blurred");
+  EXPECT_THAT(ReadText(folder / "initialization/summary.csv"), HasSubstr("noisy,5,sparse,1,"));
+}
+
+TEST(TimingCommand, WritesStagesAndLeavesNoFramesBehind) {
+  const TestFolder folder;
+  const auto json = ResultsOf(folder, "timing", "--quick --width 160 --duration 0.2");
+  EXPECT_EQ(json["frames"].size(), 4u);
+  EXPECT_EQ(json["stages"][0]["stage"], "load");
+  EXPECT_FALSE(std::filesystem::exists(folder / "timing/frames"));
+}
+
+struct BadExperiment {
+  std::string arguments, said;
+};
+
+void PrintTo(const BadExperiment& bad, std::ostream* out) { *out << bad.arguments; }
+
+class BadExperiments : public testing::TestWithParam<BadExperiment> {};
+
+TEST_P(BadExperiments, FailInOneLineAndLeaveNothing) {
+  const TestFolder folder;
+  const ProgramResult result =
+      RunSilt("experiment " + GetParam().arguments + " --out " + (folder / "results").string());
+  EXPECT_GT(result.exit_code, 0);
+  EXPECT_THAT(result.error, HasSubstr(GetParam().said));
+  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, BadExperiments,
+    testing::Values(BadExperiment{"convergence --scene nowhere", "nowhere"},
+                    BadExperiment{"convergence --scene studio --starts 0", "--starts: '0'"},
+                    BadExperiment{"convergence --scene studio --backend abacus", "abacus"},
+                    BadExperiment{"initialization --scene studio --gaps 1 x", "--gaps: 'x'"},
+                    BadExperiment{"initialization --scene studio --gaps 9000", "too short"},
+                    BadExperiment{"timing --scene studio --duration 1000", "ask for more"},
+                    BadExperiment{"timing --scene studio --width 64 --duration 0.05", "two frames"},
+                    BadExperiment{"timing --scene studio --fps 0", "--fps: '0'"}));
+
+}  // namespace
+}  // namespace silt::experiments
