@@ -9,12 +9,13 @@
 #include "silt/sim/path_file.h"
 #include "silt/sim/renderer.h"
 
-// Rendered depth against geometry known by formula, in double: relative 1e-5.
+// Rendered depth against geometry known by formula, in double: equal but for the rounding to float,
+// which Embree's own distances miss at grazing angles.
 namespace silt::sim {
 namespace {
 
 constexpr PinholeCamera kCamera{120.3, 120, 79.5, 59.5, 160, 120};
-constexpr double kRelative = 1e-5;
+constexpr double kRelative = 2e-7;
 
 LightingOptions NoLight() {
   LightingOptions options;
@@ -119,7 +120,7 @@ double NearestTriangle(const Mesh& mesh, const Ray& ray) {
   return nearest;
 }
 
-// A ball is the polyhedron that stands for it, to 1e-5, and the true sphere to the polyhedron's
+// A ball is the polyhedron that stands for it, and the true sphere to the polyhedron's
 // own error: facets of angle α lie up to r·(1 − cos²(α/2)) below the surface.
 TEST(RendererDepth, MatchesASphere) {
   const double radius = 0.5;

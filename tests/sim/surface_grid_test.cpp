@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene_builder.h"
@@ -81,6 +82,18 @@ TEST(SurfaceGrid, NeighboursShareTheSamplesOfTheirEdge) {
       }
       EXPECT_NEAR(difference, 0, 1e-5f);
     }
+  }
+}
+
+// Where a floor meets a wall, its samples lie before the wall and not in it.
+TEST(SurfaceGrid, TheRimIsPulledInwardsByAMillimetre) {
+  const SurfaceGrid grid(Quad({1, 0, 0}, {0, 0.6f, 0}), 0.1f);
+  for (const SurfaceSample& sample : grid.samples()) {
+    const float x = sample.position.x - 0.1f, y = sample.position.y - 0.2f;
+    const float to_rim = std::min({x, 1 - x, y, 0.6f - y});
+    EXPECT_GT(to_rim, 2e-4f);
+    EXPECT_TRUE(to_rim < 1.1e-3f || to_rim > 0.02f) << x << ", " << y;
+    EXPECT_FLOAT_EQ(sample.position.z, 0.3f);
   }
 }
 
