@@ -6,6 +6,7 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "silt/core/error.h"
@@ -45,6 +46,24 @@ class BytesStream : public Assimp::IOStream {
   std::size_t position_ = 0;
 };
 
+// assimp 5.2 writes through a null pointer for properties that come before the first "newmtl" of a
+// material file, so it gets to see the file from there on only. It also gives up on a model whose
+// material file is nearly empty, hence the comment.
+Bytes FromFirstMaterial(const Bytes& file) {
+  constexpr std::string_view kKeyword = "newmtl";
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::string_view text = *file;
+  std::size_t line = 0;
+  while (line < text.size()) {
+    const std::size_t word = text.find_first_not_of(kBlanks, line);
+    if (word != std::string_view::npos && text.substr(word).starts_with(kKeyword)) break;
+    const std::size_t end = text.find('\n', line);
+    line = end == std::string_view::npos ? text.size() : end + 1;
+  }
+  return std::make_shared<const std::string>("# materials of a model\n" +
+                                             std::string(text.substr(line)) + "\n");
+}
+
 class AssimpIo : public Assimp::IOSystem {
  public:
   AssimpIo(const AssetSource& source, std::set<std::string>& missing)
@@ -62,7 +81,9 @@ class AssimpIo : public Assimp::IOSystem {
       return nullptr;
     }
     try {
-      return new BytesStream(source_.Read(*name));
+      Bytes bytes = source_.Read(*name);
+      if (LowerCase(*name).ends_with(".mtl")) bytes = FromFirstMaterial(bytes);
+      return new BytesStream(std::move(bytes));
     } catch (const Error& e) {
       missing_.insert(e.what());
       return nullptr;

@@ -12,12 +12,13 @@
 #include "silt/core/vector.h"
 #include "silt/sim/material.h"
 
+// clang-format off
 // A scene in TOML. Metres, degrees, world z up, floor at z = 0. Paths are relative to the scene
 // file. Unknown keys are errors. Keys without "default" are required.
 //
 //   name = "Office"            default: the folder's name
-//   ambient = [r, g, b]        linear radiance of whatever nothing occludes; default [0.2, 0.2,
-//   0.2] exposure = 1.0             linear radiance × exposure → [0, 1]; default 1
+//   ambient = [r, g, b]        linear radiance of what nothing occludes; default [0.2, 0.2, 0.2]
+//   exposure = 1.0             linear radiance × exposure → [0, 1]; default 1
 //
 //   [[archive]]                a .zip, .sh3f or other archive that models are taken from
 //   id = "scopia"
@@ -27,12 +28,11 @@
 //   name = "carpet"
 //   color = "#888888"          or [r, g, b] in 0..1, both sRGB-encoded; multiplies the texture;
 //                              default: white under a texture, middle gray without
-//   texture = "textures/carpet.png"       default: none
+//   texture = "carpet.png"     default: none
 //   tile_m = [1.0, 1.0]        width and height of one repeat of the picture. Default: the picture
 //                              covers each face once (primitives), lies as the model says (models)
 //   emission = [r, g, b]       linear radiance, multiplied by the texture; default none. It is
-//   seen,
-//                              but lights nothing: that takes a [[light]]
+//                              seen; what lights a room is a [[light]]
 //   cutout = false             holes where the texture's alpha is below ½; default false
 //   two_sided = true           false: black from behind; default true
 //
@@ -41,8 +41,7 @@
 //   material = "wood"          needed unless `faces` names all six
 //   faces = { top = "…", bottom = "…", front = "…", back = "…", left = "…", right = "…" }
 //                              default: `material` all round. front is −y, left is −x (yaw 0). On
-//                              the sides pictures stand upright; on top, picture right is +x, up is
-//                              +y
+//                              the sides pictures stand upright; on top, right is +x and up is +y
 //   size = [x, y, z]
 //   at = [x, y, z]             centre of the bottom face; default [0, 0, 0]
 //   yaw_deg = 0                turn about z, counter-clockwise from above; default 0
@@ -72,23 +71,28 @@
 //   archive = "scopia"         default: none, a plain file
 //   size = [x, y, z]           the bounding box is stretched to exactly this; or else
 //   scale = 0.01               metres per unit of the model; default (neither): 1
-//   at = [x, y, z]             where the centre of the bounding box's bottom goes; default [0, 0,
-//   0] yaw_deg = 0                default 0: the model's front (its +z for up = "y") looks to −y up
-//   = "y"                   the model's axis that points up: "y" (default; model x → x, y → z,
+//   at = [x, y, z]             of the centre of the bounding box's bottom; default [0, 0, 0]
+//   yaw_deg = 0                default 0: the model's front (its +z for up = "y") looks to −y
+//   up = "y"                   the model's axis that points up: "y" (default; model x → x, y → z,
 //                              z → −y) or "z"
-//   rotation = [9 numbers]     a rotation of the model before all else, in its own axes, row by row
-//                              (modelRotation in the catalogues of Sweet Home 3D); default: none
+//   rotation = [9 numbers]     a rotation of the model before all else, in its own axes, row by
+//                              row (modelRotation in Sweet Home 3D's catalogues); default: none
 //   mirror = false             left and right exchanged; default false
-//   materials = { "Old" = "wood" }   materials of the model to replace by materials of the scene;
-//                              "*" stands for all not named. A material with tile_m is projected
-//                              along x, y or z, at its true size; without it keeps the model's
-//                              texture coordinates. Default: none
+//   materials = { "Old" = "wood" }
+//                              materials of the model to replace by materials of the scene; "*"
+//                              stands for all that are not named and not transparent. A material
+//                              with tile_m is projected along x, y or z, at its true size; one
+//                              without keeps the model's texture coordinates. Default: none
 //
 //   [[light]]                  a rectangle center ± u ± v, seen as well
 //   name
 //   center = [x, y, z]
-//   u = [x, y, z], v = [x, y, z]     half edges; it shines to where u × v points
+//   u = [x, y, z]              half edges; it shines to where u × v points
+//   v = [x, y, z]
 //   radiance = [r, g, b]       linear
+//
+// Transparent materials of models (opacity below ½) are left out.
+// clang-format on
 namespace silt::sim {
 
 struct ArchiveEntry {

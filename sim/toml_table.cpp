@@ -29,6 +29,15 @@ std::string Place(const std::string& file, const toml::node& node) {
   return file + ":" + std::to_string(node.source().begin.line);
 }
 
+// The parser quotes what it found, line breaks included.
+std::string Printable(std::string_view text) {
+  std::string printable(text);
+  for (char& c : printable) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  }
+  return printable;
+}
+
 std::string TypeName(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::string:
@@ -76,7 +85,7 @@ TomlTable TomlTable::Parse(const std::string& text, const std::string& file) {
     state->root = std::make_shared<toml::table>(toml::parse(text, file));
   } catch (const toml::parse_error& e) {
     throw Error(file + ":" + std::to_string(e.source().begin.line) +
-                ": is not TOML: " + std::string(e.description()));
+                ": is not TOML: " + Printable(e.description()));
   }
   state->table = state->root.get();
   return TomlTable(std::move(state));

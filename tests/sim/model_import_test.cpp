@@ -120,6 +120,23 @@ TEST(ModelImportTest, KnowsEmissionAndTransparency) {
   EXPECT_EQ(DecodePicture(model.pictures.at(picture))(1, 1).a, 0);
 }
 
+TEST(ModelImportTest, MaterialFilesMayBeBroken) {
+  for (const char* const mtl :
+       {"", "\n", "Kd 1 0 0\nd 0.5\n", "onewmtl paper\nKd 1 0 0\n", "newmtl", "Kd"}) {
+    const TempFolder folder;
+    folder.Write("sheet.mtl", mtl);
+    EXPECT_EQ(Import(folder.Write("sheet.obj", SampleObj())).mesh.triangles.size(), 2u) << mtl;
+  }
+  const TempFolder folder;
+  folder.Write("sheet.mtl", "newmtl a\nKd");
+  const auto obj = folder.Write("sheet.obj", SampleObj());
+  EXPECT_THAT(ErrorOf([&] { Import(obj); }), HasSubstr("sheet.obj: assimp cannot read it"));
+  folder.Write("sheet.mtl", "Kd 1 0 0\n\t newmtl paper\nKd 0 1 0\n");
+  const Model model = Import(obj);
+  EXPECT_EQ(MaterialOf(model, 0).name, "paper");
+  EXPECT_EQ(MaterialOf(model, 0).diffuse.y, 1);
+}
+
 TEST(ModelImportTest, AModelOfGlassAloneIsOpaque) {
   const TempFolder folder;
   folder.Write("m.mtl", "newmtl glass\nd 0.1\n");

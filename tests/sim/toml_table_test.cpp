@@ -94,7 +94,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"strings = 1", "f.toml:1: strings must be a table of strings"},
         BadValue{"strings = { a = 1 }", "f.toml:1: strings must hold strings only"},
         BadValue{"", "needed is missing"}, BadValue{"a = 1\na = 2", "f.toml:2: is not TOML"},
-        BadValue{"a = \n", "f.toml:1: is not TOML"}, BadValue{"\xEF\xBB\xBD", "is not TOML"},
+        BadValue{"a = \n", "f.toml:1: is not TOML"},
+        BadValue{"a = tru\ne", "f.toml:1: is not TOML"}, BadValue{"\xEF\xBB\xBD", "is not TOML"},
         BadValue{"a = 'unterminated", "f.toml:1: is not TOML"}));
 
 TEST(TomlTableTest, RefusesFoldersAndMissingFiles) {
