@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "silt/sim/light_cache.h"
 
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "silt/core/atomic_file.h"
 #include "silt/sim/content_hash.h"
@@ -19,6 +21,8 @@ namespace fs = std::filesystem;
 // Rises with every change of what SolveLight or SurfaceGrid compute.
 constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kDigestSize = 32;
+constexpr std::string_view kPrefix = "light-";
+constexpr std::size_t kEntries = 8;  // of some 35 MB for a furnished room
 
 std::optional<fs::path> CacheFolder() {
   const auto variable = [](const char* name) -> fs::path {
@@ -44,6 +48,18 @@ std::string Checksum(const StoredLight& light) {
   return ContentHash().AddArray(light.front).AddArray(light.back).Digest();
 }
 
+// Another process may do the same: what is gone already is no failure.
+void RemoveOldEntries(const fs::path& folder) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> entries;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const bool is_light = entry.path().filename().string().starts_with(kPrefix);
+    if (is_light) entries.push_back({entry.last_write_time(ignored), entry.path()});
+  }
+  std::sort(entries.rbegin(), entries.rend());
+  for (std::size_t i = kEntries; i < entries.size(); ++i) fs::remove(entries[i].second, ignored);
+}
+
 std::string_view Bytes(const std::vector<Vec3f>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Vec3f)};
 }
@@ -61,7 +77,7 @@ std::optional<fs::path> LightCacheFile(const Scene& scene, const LightingOptions
   hash.AddArray(scene.mesh.texcoords).AddArray(scene.mesh.triangles);
   hash.AddArray(scene.lights).AddBytes(&scene.ambient, sizeof(scene.ambient));
   AddTextures(scene, hash);
-  return *folder / ("light-" + hash.Digest());
+  return *folder / (std::string(kPrefix) + hash.Digest());
 }
 
 std::optional<StoredLight> ReadLight(const fs::path& file, std::size_t samples) {
@@ -83,6 +99,7 @@ void WriteLight(const fs::path& file, const StoredLight& light) {
   contents += Bytes(light.front);
   contents += Bytes(light.back);
   WriteFileAtomically(file, contents);
+  RemoveOldEntries(file.parent_path());
 }
 
 }  // namespace silt::sim

@@ -19,7 +19,7 @@ std::optional<std::filesystem::path> LightCacheFile(const Scene& scene,
 // The light in a file, if it holds that of `samples` samples and its checksum is right.
 std::optional<StoredLight> ReadLight(const std::filesystem::path& file, std::size_t samples);
 
-// Throws silt::Error where the file cannot be written.
+// Removes older entries beside it. Throws silt::Error where the file cannot be written.
 void WriteLight(const std::filesystem::path& file, const StoredLight& light);
 
 }  // namespace silt::sim

@@ -14,7 +14,7 @@ RenderedSequence::RenderedSequence(std::shared_ptr<const Renderer> renderer,
                                    const SequenceTiming& timing)
     : renderer_(std::move(renderer)), path_(std::move(path)) {
   const double duration_s =
-      timing.duration_s > 0 ? timing.duration_s : path_->duration_s() - timing.start_s;
+      timing.duration_s == 0 ? path_->duration_s() - timing.start_s : timing.duration_s;
   ground_truth_ = path_->Sample(timing.fps, timing.start_s, duration_s);
   if (!ground_truth_.empty()) {
     first_frame_ = int(std::lround(ground_truth_.front().time_s * timing.fps));

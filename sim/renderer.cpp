@@ -146,14 +146,17 @@ Image<float> Renderer::RenderDepth(const SE3d& world_from_camera) const {
   return depth;
 }
 
-Frame Renderer::Render(const PoseAtTime& world_from_camera, double time_s, int frame_index) const {
-  Image<Vec3f> signal = RenderLinear(world_from_camera, time_s);
+Image<Rgb8> Renderer::Develop(Image<Vec3f> radiance, const NoiseKey& key) const {
   const auto exposure = float(lit_->scene().exposure);
-  for (Vec3f& value : signal) value = exposure * value;
-  if (options_.noise) {
-    AddNoise(*options_.noise, {options_.seed, std::uint32_t(frame_index)}, signal);
-  }
-  return {time_s, EncodeSrgb8(signal), RenderDepth(world_from_camera(time_s))};
+  for (Vec3f& value : radiance) value = exposure * value;
+  if (options_.noise) AddNoise(*options_.noise, key, radiance);
+  return EncodeSrgb8(radiance);
+}
+
+Frame Renderer::Render(const PoseAtTime& world_from_camera, double time_s, int frame_index) const {
+  const NoiseKey key{options_.seed, std::uint32_t(frame_index)};
+  return {time_s, Develop(RenderLinear(world_from_camera, time_s), key),
+          RenderDepth(world_from_camera(time_s))};
 }
 
 }  // namespace silt::sim

@@ -44,6 +44,9 @@ class Renderer {
   // Mean linear radiance of each pixel over the exposure, without noise.
   Image<Vec3f> RenderLinear(const PoseAtTime& world_from_camera, double time_s) const;
 
+  // What the sensor makes of radiance: exposure, noise (if any), response curve, 8 bits.
+  Image<Rgb8> Develop(Image<Vec3f> radiance, const NoiseKey& key) const;
+
   // z of what the ray through each pixel's centre meets, in metres; 0: nothing.
   Image<float> RenderDepth(const SE3d& world_from_camera) const;
 

@@ -10,7 +10,7 @@ namespace silt::sim {
 namespace {
 
 constexpr float kPullM = 1e-3f;
-constexpr float kMostIntervals = 4096;
+constexpr float kMostIntervals = 1024;  // of a side, so that wide open ground stays finite
 constexpr int kRowsOfWide = 3;
 
 Vec3f SafelyNormalized(const Vec3f& v, const Vec3f& otherwise) {

@@ -48,7 +48,7 @@ TEST(RenderedSequence, DeliversEveryFrameOnce) {
   EXPECT_FALSE(sequence.Next());
 }
 
-TEST(RenderedSequence, KnowsTheTrueposes) {
+TEST(RenderedSequence, KnowsTheTruePoses) {
   const auto path = Path();
   const RenderedSequence sequence(RoomRenderer(), path, {.fps = 10});
   EXPECT_EQ(sequence.size(), 10);
@@ -78,6 +78,7 @@ TEST(RenderedSequence, RefusesTimesThatThePathDoesNotHave) {
   EXPECT_THROW(make({.start_s = -1}), Error);
   EXPECT_THROW(make({.start_s = 1.5}), Error);
   EXPECT_THROW(make({.duration_s = 1.5}), Error);
+  EXPECT_THROW(make({.duration_s = -1}), Error);
 }
 
 }  // namespace
