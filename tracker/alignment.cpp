@@ -118,8 +118,10 @@ class LevenbergMarquardt {
     return converged;
   }
 
+  // At the first level, whose result serves the finer ones too, and again where the pose is all but
+  // known.
   void FindVisible(int level) {
-    if (!options_.exclude_hidden) return;
+    if (!options_.exclude_hidden || (visible_ && level > 1)) return;
     const Stopwatch watch(&result_.times.residual_ms);
     visible_ = backend_.WithoutHidden(pair_.reference, level - 1, pose_);
   }

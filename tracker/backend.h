@@ -57,7 +57,7 @@ class Backend {
                                                       int levels) const = 0;
 
   // The keyframe as the current camera sees it: its pixels whose points are hidden there (see
-  // visibility.h) have no depth. To be used at this level alone.
+  // visibility.h) have no depth. Serves `level` and all finer ones.
   virtual std::unique_ptr<ReferencePyramid> WithoutHidden(
       const ReferencePyramid& reference, int level, const SE3d& current_from_reference) const = 0;
 

@@ -17,8 +17,8 @@ struct AlignmentOptions {
   double min_update_norm = 1e-6;  // ε: a smaller |dξ| (radians and metres) ends the level
   double min_overlap = 0.1;       // of the measured pixels; a pose that shows fewer has no cost
   // Leaves out the pixels whose points the current camera cannot see because others, nearer, lie in
-  // front of them, as far as the keyframe's depth tells at the start of each level. The paper does
-  // not say over which pixels eq. 8 runs; over a hidden one, I_c(W) shows another surface.
+  // front of them, as far as the keyframe's depth tells. The paper does not say over which pixels
+  // eq. 8 runs; over a hidden one, I_c(W) shows another surface.
   bool exclude_hidden = true;
   bool keep_log = false;  // one AlignmentStep per solve
 
