@@ -14,7 +14,7 @@ namespace silt::experiments {
 namespace {
 
 // What a blurred frame takes longer to render than a sharp one, for the time left.
-constexpr double kBlurredWork = 4;
+constexpr double kBlurredWork = 2.5;
 
 // A run under way.
 struct OpenRun {

@@ -9,9 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "silt/core/error.h"
 #include "silt/core/parallel.h"
 #include "silt/experiments/build_info.h"
 #include "silt/sim/embree_adapter.h"
+
+#ifdef SILT_HAVE_CUDA
+#include "silt/cuda/devices.h"
+#endif
 
 namespace silt::experiments {
 namespace {
@@ -31,6 +36,20 @@ std::string SimdLevel() {
   if (__builtin_cpu_supports("avx512f")) return "AVX-512";
   if (__builtin_cpu_supports("avx2")) return "AVX2";
   return __builtin_cpu_supports("sse4.2") ? "SSE4.2" : "SSE2";
+}
+
+std::string CudaFacts() {
+  if (!kHasCuda) return "not compiled in";
+#ifdef SILT_HAVE_CUDA
+  try {
+    std::string devices;
+    for (const cuda::Device& device : cuda::DeviceList()) devices += ", " + device.name;
+    return "compiled in" + (devices.empty() ? ", no device" : devices);
+  } catch (const Error& error) {
+    return std::string("compiled in, ") + error.what();
+  }
+#endif
+  return "compiled in";
 }
 
 std::string DateUtc() {
@@ -57,7 +76,7 @@ Json BuildFacts() {
           {"processor", ProcessorName()},
           {"threads", ThreadCount()},
           {"simd", SimdLevel()},
-          {"cuda", kHasCuda ? "compiled in" : "not compiled in"},
+          {"cuda", CudaFacts()},
           {"libraries",
            {{"Embree", sim::EmbreeAdapter::Version()},
             {"OpenCV", cv::getVersionString()},

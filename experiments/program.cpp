@@ -51,7 +51,8 @@ void RequireKnownCommand(const CLI::App& app, int argc, const char* const* argv)
     const std::string word = argv[i];
     const auto named = [&](const CLI::App* each) { return each->get_name() == word; };
     const auto all = [](const CLI::App*) { return true; };
-    if (word.starts_with("-") || command->get_subcommands(all).empty()) return;
+    const bool told = word == "-h" || word == "--help" || word == "--version";
+    if (told || command->get_subcommands(all).empty()) return;
     const auto found = command->get_subcommands(named);
     if (found.empty()) throw CLI::ExtrasError({"'" + word + "' (no such command)"});
     command = found.front();
