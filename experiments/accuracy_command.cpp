@@ -86,7 +86,8 @@ void AddOptions(CLI::App& command, Options& o) {
                      ->capture_default_str(),
                  1, 4096);
   RequireInteger(command.add_option("--width", o.accuracy.width, "Width of the image"), 64, 8192);
-  command.add_option("--preset", o.accuracy.presets, "Trackers to compare: paper")
+  command
+      .add_option("--preset", o.accuracy.presets, "Trackers to compare: paper, paper-all-pixels")
       ->capture_default_str();
   command.add_option("--backend", o.accuracy.backend, "cpu or cuda")->capture_default_str();
   command.add_option("--init", o.accuracy.initializer, "sparse or previous")->capture_default_str();

@@ -131,7 +131,10 @@ void Run(Options options, const Invocation& invocation) {
 }
 
 void AddTrackerOptions(CLI::App& command, Options& options) {
-  command.add_option("--preset", options.tracker.preset, "Tracker: paper")->capture_default_str();
+  command
+      .add_option("--preset", options.tracker.preset,
+                  "Tracker: paper, paper-all-pixels (hidden ones too)")
+      ->capture_default_str();
   command.add_option("--backend", options.tracker.backend, "Where it computes: cpu or cuda")
       ->capture_default_str();
   command

@@ -20,12 +20,13 @@ namespace {
 
 }  // namespace
 
-std::vector<std::string> PresetNames() { return {"paper"}; }
+std::vector<std::string> PresetNames() { return {"paper", "paper-all-pixels"}; }
 std::vector<std::string> BackendNames() { return {"cpu", "cuda"}; }
 std::vector<std::string> InitializerNames() { return {"sparse", "previous"}; }
 
 tracker::TrackerOptions PresetOptions(const std::string& preset) {
   if (preset == "paper") return tracker::PaperPreset();
+  if (preset == "paper-all-pixels") return tracker::PaperAllPixelsPreset();
   Unknown("preset", preset, PresetNames());
 }
 

@@ -49,4 +49,10 @@ void TrackerOptions::Validate() const {
 
 TrackerOptions PaperPreset() { return {}; }
 
+TrackerOptions PaperAllPixelsPreset() {
+  TrackerOptions options = PaperPreset();
+  options.alignment.exclude_hidden = false;
+  return options;
+}
+
 }  // namespace silt::tracker

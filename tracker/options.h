@@ -46,7 +46,11 @@ struct TrackerOptions {
   void Validate() const;
 };
 
-// The paper to the letter.
+// The paper to the letter; what it leaves open (the interpolant, the domain of eq. 8) is settled in
+// the comments of the options and of tracker/kernel.
 TrackerOptions PaperPreset();
+
+// The same with eq. 8 over every pixel that lands in the current image, hidden ones too.
+TrackerOptions PaperAllPixelsPreset();
 
 }  // namespace silt::tracker

@@ -26,6 +26,11 @@ TEST(TrackerOptions, PaperPresetIsThePapers) {
   EXPECT_NO_THROW(paper.Validate());
 }
 
+TEST(TrackerOptions, OnlyAllPixelsTakesHiddenOnes) {
+  EXPECT_TRUE(PaperPreset().alignment.exclude_hidden);
+  EXPECT_FALSE(PaperAllPixelsPreset().alignment.exclude_hidden);
+}
+
 struct BadOption {
   const char* name;
   std::function<void(TrackerOptions*)> spoil;
