@@ -13,7 +13,6 @@
 #include "silt/experiments/progress.h"
 #include "silt/experiments/resources.h"
 #include "silt/sim/path_file.h"
-#include "silt/sim/response_curve.h"
 
 namespace silt::experiments {
 namespace {
@@ -30,14 +29,6 @@ std::shared_ptr<const sim::LitScene> LoadLitScene(const std::filesystem::path& f
     progress.Advance(share - std::exchange(done, share), "light of " + file.string());
   };
   return std::make_shared<const sim::LitScene>(std::move(scene), lighting);
-}
-
-// What Renderer::Render makes of the linear picture, for any seed of the noise.
-Frame Develop(const sim::Renderer& renderer, Image<Vec3f> signal, const sim::NoiseKey& key) {
-  const auto exposure = float(renderer.lit_scene()->scene().exposure);
-  for (Vec3f& value : signal) value = exposure * value;
-  if (renderer.options().noise) sim::AddNoise(*renderer.options().noise, key, signal);
-  return {0, sim::EncodeSrgb8(signal), {}};
 }
 
 }  // namespace
@@ -104,9 +95,7 @@ void ForEachFrame(const World& world, const RenderPlan& plan,
     rendered.truth = truth;
     for (const std::uint64_t seed : seeds) {
       rendered.seed = seed;
-      rendered.frame = Develop(renderer, linear, {seed, index});
-      rendered.frame.time_s = truth.time_s;
-      rendered.frame.depth_m = depth_m;
+      rendered.frame = {truth.time_s, renderer.Develop(linear, {seed, index}), depth_m};
       visit(rendered);
     }
     ++rendered.number;
