@@ -25,14 +25,14 @@
 namespace silt::experiments {
 namespace {
 
-// Images 1 and 10 of 20 per second.
-constexpr double kPairGap_s = 9 / 20.0;
+// The paper's images 1 and 10 of 20 per second.
+constexpr double kFps = 20, kPairGap_s = 9 / kFps;
 // Without the pyramid an alignment takes twenty times as long, and so gets a fourth of the starts.
 constexpr int kFullResolutionShare = 4;
 
 struct Options {
   ExperimentBasics basics;
-  int pairs = 0, starts = 0;
+  int image = 1, pairs = 0, starts = 0;
 };
 
 struct Series {
@@ -59,15 +59,17 @@ Options Resolved(const Options& options) {
   return o;
 }
 
-// The first is the paper's; the others start at equal distances along the path.
+// The first starts at the chosen image, the paper's being 1; the others at equal distances along
+// the path.
 std::vector<PairAlignment> MakePairs(const Options& options, const World& world,
                                      const tracker::Backend& backend) {
   std::vector<PairAlignment> pairs;
   const double step_s = (world.path.duration_s() - kPairGap_s) / options.pairs;
   for (int i = 0; i < options.pairs; ++i) {
     ThrowIfInterrupted();
+    const double start_s = i == 0 ? (options.image - 1) / kFps : i * step_s;
     const FramePair pair =
-        RenderPair(world, options.basics.Rendering(false), i * step_s, i * step_s + kPairGap_s);
+        RenderPair(world, options.basics.Rendering(false), start_s, start_s + kPairGap_s);
     pairs.emplace_back(backend, pair, PyramidScheme().levels());
   }
   return pairs;
@@ -104,11 +106,9 @@ void Run(const Options& given, const Invocation& invocation) {
   const std::vector<ConvergenceRun> runs = RunPaperConvergence(pairs.front());
   const std::vector<NamedSuccessRate> rates = MeasureAll(options, pairs);
 
-  const Json config{{"basics", options.basics.ToJson()},
-                    {"world", world.ToJson()},
-                    {"pairs", options.pairs},
-                    {"starts_per_pair", options.starts},
-                    {"pair_gap_s", kPairGap_s}};
+  const Json config{{"basics", options.basics.ToJson()}, {"world", world.ToJson()},
+                    {"reference_image", options.image},  {"pairs", options.pairs},
+                    {"starts_per_pair", options.starts}, {"pair_gap_s", kPairGap_s}};
   const Json manifest = MakeManifest(invocation.command_line, config, options.basics.seed);
   const Json json{{"manifest", manifest},
                   {"true_motion", ToJson(Difference(pairs.front().truth(), SE3d{}))},
@@ -131,6 +131,12 @@ void AddConvergenceExperiment(CLI::App& experiments, const Invocation& invocatio
   CLI::App* command = experiments.add_subcommand(
       "convergence", "The paper's Table 1 and Fig. 4, and success rates from random starts");
   AddExperimentBasics(*command, options->basics);
+  RequireInteger(command
+                     ->add_option("--image", options->image,
+                                  "The reference image, counted from 1; the current one comes "
+                                  "nine later")
+                     ->capture_default_str(),
+                 1, 1000000);
   RequireInteger(command->add_option("--pairs", options->pairs,
                                      "Pairs of frames for the success rates; default: 3"),
                  1, 1000);

@@ -7,7 +7,7 @@ import pathlib
 import sys
 sys.dont_write_bytecode = True  # leave no __pycache__ beside the script
 
-from style import BLUE, GRAY, RED, legend_above, plt, read_table, save, unique
+from style import BLUE, GRAY, RED, legend_above_all, plt, read_table, save, unique
 
 COLOURS = {"four-level pyramid": BLUE, "full resolution only": RED}
 
@@ -18,9 +18,9 @@ def shade_levels(axes, rows):
         places = [k + 1 for k, row in enumerate(rows) if row["level"] == level]
         if i % 2 == 0:
             axes.axvspan(places[0] - 0.5, places[-1] + 0.5, color="#f1f4f7", zorder=0)
-        axes.annotate(f"level {level:.0f}", ((places[0] + places[-1]) / 2, 1),
-                      xycoords=("data", "axes fraction"), ha="center", va="bottom", fontsize=8,
-                      color=GRAY)
+        text = f"level {level:.0f}" if i == 0 else f"{level:.0f}"
+        axes.annotate(text, ((places[0] + places[-1]) / 2, 1), xycoords=("data", "axes fraction"),
+                      ha="center", va="bottom", fontsize=8, color=GRAY)
 
 
 def convergence(folder, rows):
@@ -39,7 +39,7 @@ def convergence(folder, rows):
                     if not row["accepted"]]
         if rejected:
             lower.semilogy(*zip(*rejected), "x", color=GRAY, label="not accepted")
-            legend_above(lower, 1)
+            lower.legend(loc="upper right")
         shade_levels(upper, mine)
         upper.set_title(scheme, pad=18)
         upper.set_ylabel("cost per pixel")
@@ -62,9 +62,9 @@ def success(folder, rows):
             axes.fill_between(x, [row["rate_low"] for row in mine],
                               [row["rate_high"] for row in mine], color=colour, alpha=0.12, lw=0)
         label = {"distance": "distance [cm]", "angle": "angle [deg]"}
-        axes.set(xlabel=label.get(name, "distance [cm], with deg / cm = 0.5"), ylim=(-0.03, 1.03))
+        axes.set(xlabel=label.get(name, "distance [cm], with 0.5 deg/cm"), ylim=(-0.03, 1.03))
     grid[0][0].set_ylabel("recovered to 1 mm and 0.1 deg")
-    legend_above(grid[0][0])
+    legend_above_all(figure, grid[0][0])
     save(figure, folder, "success_rate")
 
 

@@ -7,7 +7,8 @@ import pathlib
 import sys
 sys.dont_write_bytecode = True  # leave no __pycache__ beside the script
 
-from style import BLUE, GRAY, GREEN, RED, legend_above, plt, read_table, save, unique
+from style import (BLUE, GRAY, GREEN, RED, legend_above, legend_above_all, plt, read_table, save,
+                   unique)
 
 COLOURS = {"identity": GRAY, "previous pose": GREEN, "sparse": RED}
 
@@ -37,7 +38,7 @@ def success(folder, rows):
                               lw=0)
         axes.set_ylim(-0.03, 1.03)
     each[0][0].set_ylabel("refined to 1 cm and 0.5 deg")
-    legend_above(each[0][0])
+    legend_above_all(figure, each[0][0])
     save(figure, folder, "initialization_success")
 
 
@@ -52,7 +53,7 @@ def errors(folder, rows):
                 axes.semilogy(gaps, [max(100 * row[key + "_distance_m"], 1e-4) for row in points],
                               line, marker="o", ms=3.5, color=colour, label=method + what)
     each[0][0].set_ylabel("median position error [cm]")
-    legend_above(each[0][0], 3)
+    legend_above_all(figure, each[0][0], 3)
     save(figure, folder, "initialization_error")
 
 

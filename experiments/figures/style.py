@@ -28,6 +28,14 @@ def legend_above(axes, columns=4):
     axes.legend(ncols=columns, loc="lower left", bbox_to_anchor=(0, 1))
 
 
+def legend_above_all(figure, axes, columns=4):
+    """One legend for several panels; it takes no room from any of them."""
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(handles, labels, ncols=columns, loc="upper left")
+    inches = 0.15 + 0.2 * -(-len(labels) // columns)
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - inches / figure.get_figheight()))
+
+
 def unique(values):
     """In the order of their first appearance."""
     return list(dict.fromkeys(values))

@@ -7,7 +7,8 @@ import pathlib
 import sys
 sys.dont_write_bytecode = True  # leave no __pycache__ beside the script
 
-from style import BLUE, GRAY, GREEN, RED, legend_above, plt, read_table, save
+from style import (BLUE, GRAY, GREEN, RED, legend_above, legend_above_all, plt, read_table,
+                   save)
 
 STAGES = {"load_ms": ("load", GRAY), "pyramid_ms": ("pyramid", "#b9a44c"),
           "initial_estimate_ms": ("initial estimate", RED),
@@ -43,7 +44,7 @@ def frames(folder, rows):
     axes.set(xlabel="frame", ylabel="milliseconds")
     axes.margins(x=0.01)
     axes.grid(axis="x", visible=False)
-    legend_above(axes, 6)
+    legend_above_all(figure, axes, 6)
     save(figure, folder, "timing_frames")
 
 

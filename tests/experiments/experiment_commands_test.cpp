@@ -81,6 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(BadExperiment{"convergence --scene nowhere", "nowhere"},
                     BadExperiment{"convergence --scene studio --starts 0", "--starts: '0'"},
                     BadExperiment{"convergence --scene studio --backend abacus", "abacus"},
+                    BadExperiment{"convergence --scene studio --image 900", "has no frame at"},
                     BadExperiment{"initialization --scene studio --gaps 1 x", "--gaps: 'x'"},
                     BadExperiment{"initialization --scene studio --gaps 9000", "too short"},
                     BadExperiment{"timing --scene studio --duration 1000", "ask for more"},
