@@ -63,7 +63,7 @@ def inliers(folder, rows):
     for condition in unique(row["condition"] for row in rows):
         points = [row for row in rows
                   if row["condition"] == condition and row["method"] == "sparse"]
-        axes.plot([row["gap"] for row in points], [row["inliers"] for row in points], "o-", ms=4,
+        axes.plot([row["gap"] for row in points], [row["inliers"] for row in points], "o", ms=4,
                   color=RED, linestyle=lines.get(condition, "-."), label=condition)
     axes.set(xlabel="frames from the keyframe", ylabel="inliers of the sparse pose, median")
     axes.set_ylim(bottom=0)

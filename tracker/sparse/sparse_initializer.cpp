@@ -12,7 +12,7 @@ namespace silt::tracker {
 namespace {
 
 // Milliseconds since the last call.
-class Stopwatch {
+class LapTimer {
  public:
   double Lap() {
     const auto now = std::chrono::steady_clock::now();
@@ -59,7 +59,7 @@ InitialEstimate SparseInitializer::Estimate(const InitializerInput& input) {
 
 SparseEstimate SparseInitializer::EstimateInSteps(const InitializerInput& input) {
   SparseEstimate result;
-  Stopwatch total, watch;
+  LapTimer total, watch;
   const KeyframeFeatures& keyframe =
       cache_.Get(input.keyframe, input.camera, options_.surf, input.seed);
   result.keyframe_features = int(keyframe.features.size());
