@@ -41,6 +41,13 @@ AccuracyOptions Resolved(const Options& options) {
   return o;
 }
 
+// The resolved options of each preset; runs differ in seed besides.
+Json TrackerConfigs(const std::vector<AccuracyRun>& runs) {
+  Json configs = Json::object();
+  for (const AccuracyRun& run : runs) configs[run.setup.preset] = ToJson(run.setup);
+  return configs;
+}
+
 void Run(const Options& options, const Invocation& invocation) {
   const AccuracyOptions accuracy = Resolved(options);
   SetThreadCount(options.threads);
@@ -50,7 +57,7 @@ void Run(const Options& options, const Invocation& invocation) {
                     {"world", result.world.ToJson()},
                     {"sharp", result.plans[0].ToJson()},
                     {"blurred", result.plans[1].ToJson()},
-                    {"tracker", ToJson(result.runs.front().setup)}};
+                    {"trackers", TrackerConfigs(result.runs)}};
   const Json manifest = MakeManifest(invocation.command_line, config, accuracy.seed);
   WriteAccuracy(folder.path(), result, manifest);
   folder.Commit(manifest);
