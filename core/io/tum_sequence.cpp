@@ -172,7 +172,7 @@ void TumSequenceWriter::Finish() {
   WriteTumTrajectory(folder_ / "groundtruth.txt", ground_truth_);
 }
 
-TumSequence::TumSequence(fs::path folder, const TumSequenceOptions& options,
+TumSequence::TumSequence(const fs::path& folder, const TumSequenceOptions& options,
                          const PinholeCamera& camera)
     : options_(options), camera_(camera) {
   SILT_CHECK(options.take_every >= 1);

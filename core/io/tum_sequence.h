@@ -47,7 +47,7 @@ struct TumSequenceOptions {
 class TumSequence : public FrameSource {
  public:
   // `camera` replaces camera.txt; a width of 0 asks for the file.
-  TumSequence(std::filesystem::path folder, const TumSequenceOptions& options = {},
+  TumSequence(const std::filesystem::path& folder, const TumSequenceOptions& options = {},
               const PinholeCamera& camera = {});
 
   const PinholeCamera& camera() const override { return camera_; }
