@@ -52,6 +52,13 @@ struct WindowCase {
   int evo, tum;  // how many windows there are
 };
 
+void PrintTo(const WindowCase& each, std::ostream* out) {
+  *out << each.window.length
+       << (each.window.unit == WindowUnit::kFrames    ? " frames"
+           : each.window.unit == WindowUnit::kSeconds ? " s"
+                                                      : " m");
+}
+
 class Windows : public testing::TestWithParam<WindowCase> {};
 
 TEST_P(Windows, AreAsManyAsTheRuleGives) {
