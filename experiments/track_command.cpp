@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "silt/core/error.h"
 #include "silt/core/io/tum_sequence.h"
@@ -26,7 +27,8 @@ namespace silt::experiments {
 namespace {
 
 struct Options {
-  std::string folder, out, json, init;
+  std::string folder, out, json;
+  std::vector<double> camera;  // fx fy cx cy, or empty
   int every = 1;
   SimulationOptions simulation;
   TrackerSetup tracker;
@@ -42,11 +44,20 @@ std::string FrameOf(int number, int frames) {
   return "frame " + std::to_string(number) + " of " + std::to_string(frames);
 }
 
+// The size is that of the first image.
+PinholeCamera CameraFrom(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  if (!(values[0] > 0 && values[1] > 0)) {
+    throw Error("--camera: fx and fy must be positive (a negative fy mirrors the image: flip it)");
+  }
+  return {values[0], values[1], values[2], values[3]};
+}
+
 // The folder's ground truth serves for the first pose and for the evaluation.
 Tracked TrackFolder(const Options& options) {
   TumSequenceOptions reading;
   reading.take_every = options.every;
-  TumSequence sequence(options.folder, reading);
+  TumSequence sequence(options.folder, reading, CameraFrom(options.camera));
   Tracked tracked;
   tracked.source = {{"folder", options.folder}, {"take_every", options.every}};
   const std::filesystem::path truth = std::filesystem::path(options.folder) / "groundtruth.txt";
@@ -107,6 +118,9 @@ void Run(Options options, const Invocation& invocation) {
   if (options.folder.empty() == options.simulation.scene.empty()) {
     throw Error("track: give either a sequence's folder or --scene");
   }
+  if (options.folder.empty() && !options.camera.empty()) {
+    throw Error("track: --camera is for a sequence's folder; a rendered one has its own");
+  }
   SetThreadCount(options.simulation.threads);
   options.tracker.seed = options.simulation.seed;
   const Tracked tracked = options.folder.empty() ? TrackSimulation(options) : TrackFolder(options);
@@ -149,7 +163,11 @@ void AddTrackCommand(CLI::App& program, const Invocation& invocation) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "track", "Estimate the camera's poses, from a folder or with the simulation in the loop");
-  command->add_option("folder", options->folder, "Sequence in TUM's layout, with camera.txt");
+  command->add_option("folder", options->folder, "Sequence in TUM's layout");
+  command
+      ->add_option("--camera", options->camera,
+                   "Its fx fy cx cy in pixels, instead of its camera.txt")
+      ->expected(4);
   command->add_option("--out", options->out, "Trajectory to write, in TUM's format")->required();
   command->add_option("--json", options->json, "Write figures and manifest here (-: to stdout)");
   RequireInteger(command->add_option("--every", options->every, "Of the folder, every n-th frame")
@@ -160,6 +178,7 @@ void AddTrackCommand(CLI::App& program, const Invocation& invocation) {
   command->footer(
       "The tracker is given the first true pose, where there is one, and no other.\n"
       "Examples: silt track office20 --out estimate.txt\n"
+      "          silt track rgbd_dataset_freiburg1_xyz --camera 525 525 319.5 239.5 --out xyz.txt\n"
       "          silt track --scene office --trajectory desk --duration 2 --out estimate.txt");
   command->callback([options, &invocation] { Run(*options, invocation); });
 }

@@ -177,12 +177,17 @@ TumSequence::TumSequence(const fs::path& folder, const TumSequenceOptions& optio
     : options_(options), camera_(camera) {
   SILT_CHECK(options.take_every >= 1);
   if (!fs::is_directory(folder)) throw Error(folder.string() + ": no such sequence folder");
-  if (camera_.width == 0) camera_ = ReadCamera(folder / "camera.txt");
+  if (camera_.fx == 0) camera_ = ReadCamera(folder / "camera.txt");
   const std::vector<TumEntry> all = ReadEntries(folder, options);
   for (std::size_t i = 0; i < all.size(); i += std::size_t(options.take_every)) {
     entries_.push_back(all[i]);
   }
   if (entries_.empty()) throw Error(folder.string() + ": the sequence lists no image");
+  if (camera_.width == 0) {
+    const Image<Rgb8> first = ReadRgb(entries_.front().rgb);
+    camera_.width = first.width();
+    camera_.height = first.height();
+  }
 }
 
 std::optional<Frame> TumSequence::Next() {

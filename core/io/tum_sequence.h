@@ -46,7 +46,8 @@ struct TumSequenceOptions {
 // associated by time. Throws silt::Error with file and line.
 class TumSequence : public FrameSource {
  public:
-  // `camera` replaces camera.txt; a width of 0 asks for the file.
+  // `camera` replaces camera.txt; without a focal length the file is asked for, and without a width
+  // the first image.
   TumSequence(const std::filesystem::path& folder, const TumSequenceOptions& options = {},
               const PinholeCamera& camera = {});
 

@@ -82,6 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"track /none --scene studio --out x.txt", "either"},
                     BadLine{"track /none --out x.txt", "/none"}, BadLine{"track /none", "--out"},
                     BadLine{"track /none --every 0 --out x.txt", "--every"},
+                    BadLine{"track /tmp --camera 1 2 3 --out x.txt", "--camera"},
+                    BadLine{"track /tmp --camera 1 -2 3 4 --out x.txt", "fy must be positive"},
+                    BadLine{"track --scene studio --camera 1 2 3 4 --out x.txt", "its own"},
                     BadLine{"track --scene studio --preset best --out x.txt", "'best'"},
                     BadLine{"track --scene studio --backend gpu --out x.txt", "'gpu'"},
                     BadLine{"track --scene studio --init magic --out x.txt", "'magic'"}));

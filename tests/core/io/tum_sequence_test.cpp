@@ -118,6 +118,14 @@ TEST_F(TumSequenceTest, GivenCameraReplacesTheFile) {
   EXPECT_THAT(ErrorOfOpening(), HasSubstr("camera.txt: expected one line"));
 }
 
+TEST_F(TumSequenceTest, ACameraWithoutASizeTakesTheFirstImages) {
+  WriteSequence(1);
+  const PinholeCamera camera = TumSequence(folder_, {}, {30, 31, 3, 2}).camera();
+  EXPECT_EQ(camera.fx, 30);
+  EXPECT_EQ(camera.width, kSmall.width);
+  EXPECT_EQ(camera.height, kSmall.height);
+}
+
 // As in TUM's own folders: two lists, times that differ, a depth image missing.
 TEST_F(TumSequenceTest, AssociatesTheNearestDepthWithinTheTolerance) {
   WriteSequence(3);
