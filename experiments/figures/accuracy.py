@@ -3,46 +3,28 @@
 """Draws the figures of `silt experiment accuracy`: accuracy.py FOLDER.
 
 Reads FOLDER/accuracy.json and FOLDER/errors/*.csv, writes FOLDER/figures/*.svg."""
-import csv
 import json
 import pathlib
 import sys
+sys.dont_write_bytecode = True  # leave no __pycache__ beside the script
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from style import BLUE, GRAY, GREEN, RED, legend_above, plt, read_table, save
 
-# The same bytes for the same results.
-plt.rcParams.update({
-    "svg.hashsalt": "silt", "font.size": 10, "font.family": "DejaVu Sans",
-    "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
-    "grid.color": "#e3e7ec", "grid.linewidth": 0.8, "axes.edgecolor": "#8a94a3",
-    "axes.axisbelow": True, "legend.frameon": False, "lines.linewidth": 1.4,
-    "figure.constrained_layout.use": True})
-
+ORANGE = "#e67e22"
 SEQUENCES = {  # colour and line of each
-    "60fps": ("#c0392b", "-"), "60fps-blur": ("#2c6fbb", "--"), "20fps": ("#6b7785", ":")}
-AXES = {"x": "#c0392b", "y": "#2e8b57", "z": "#2c6fbb"}
+    "60fps": (RED, "-"), "60fps-blur": (BLUE, "--"), "20fps": (GRAY, ":")}
+AXES = {"x": RED, "y": GREEN, "z": BLUE}
 
 
 def read_errors(folder, run):
-    name = pathlib.Path(run["trajectory"]).stem
-    with open(folder / "errors" / (name + ".csv"), newline="") as lines:
-        rows = list(csv.DictReader(lines))
-    return {key: [float(row[key]) for row in rows] for key in rows[0]}
+    rows = read_table(folder / "errors" / (pathlib.Path(run["trajectory"]).stem + ".csv"))
+    return {key: [row[key] for row in rows] for key in rows[0]}
 
 
 def keyframes(errors, x, y):
     """The points of two columns at which a keyframe was made."""
     chosen = [i for i, flag in enumerate(errors["keyframe"]) if flag]
     return [x[i] for i in chosen], [y[i] for i in chosen]
-
-
-def save(figure, folder, name):
-    path = folder / "figures" / (name + ".svg")
-    path.parent.mkdir(exist_ok=True)
-    figure.savefig(path, metadata={"Date": None})
-    plt.close(figure)
 
 
 def position_error(folder, runs):
@@ -59,7 +41,7 @@ def position_error(folder, runs):
     axes.set(xlabel="time [s]", ylabel="position error [cm]")
     axes.set_ylim(bottom=0)
     axes.margins(x=0.01)
-    axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0, 1))
+    legend_above(axes, 4)
     save(figure, folder, "position_error")
 
 
@@ -72,7 +54,7 @@ def per_axis(folder, name, errors, column, label):
     axes.axhline(0, color="#8a94a3", linewidth=0.8)
     axes.set(xlabel="time [s]", ylabel=label)
     axes.margins(x=0.01)
-    axes.legend(ncols=3, loc="lower left", bbox_to_anchor=(0, 1))
+    legend_above(axes, 3)
     save(figure, folder, name)
 
 
@@ -81,14 +63,14 @@ def trajectory(folder, name, e):
     figure, both = plt.subplots(1, 2, figsize=(9, 4.2))
     for axes, (across, up) in zip(both, (("x", "y"), ("x", "z"))):
         estimate = e[across + "_m"], e[up + "_m"]
-        axes.plot(e["true_" + across + "_m"], e["true_" + up + "_m"], color="#2e8b57",
+        axes.plot(e["true_" + across + "_m"], e["true_" + up + "_m"], color=GREEN,
                   linewidth=3, alpha=0.55, label="true")
-        axes.plot(*estimate, color="#e67e22", label="estimated")
-        axes.plot(*keyframes(e, *estimate), "o", color="#2c6fbb", ms=5, mec="white", mew=0.6,
+        axes.plot(*estimate, color=ORANGE, label="estimated")
+        axes.plot(*keyframes(e, *estimate), "o", color=BLUE, ms=5, mec="white", mew=0.6,
                   label="keyframe")
         axes.set(xlabel=across + " [m]", ylabel=up + " [m]")
         axes.set_aspect("equal", adjustable="datalim")
-    both[0].legend(ncols=3, loc="lower left", bbox_to_anchor=(0, 1))
+    legend_above(both[0], 3)
     save(figure, folder, name)
 
 
