@@ -31,11 +31,6 @@ std::shared_ptr<const sim::LitScene> LoadLitScene(const std::filesystem::path& f
   return std::make_shared<const sim::LitScene>(std::move(scene), lighting);
 }
 
-// office/desk.toml: what a result needs to tell, wherever silt is installed.
-std::string WithItsFolder(const std::filesystem::path& file) {
-  return (std::filesystem::absolute(file).parent_path().filename() / file.filename()).string();
-}
-
 }  // namespace
 
 sim::PoseAtTime World::Pose() const {
@@ -44,10 +39,9 @@ sim::PoseAtTime World::Pose() const {
 
 Json World::ToJson() const {
   const sim::PathStatistics s = path.Statistics();
-  return {
-      {"scene", scene->scene().name},          {"scene_file", WithItsFolder(scene_file)},
-      {"path_file", WithItsFolder(path_file)}, {"path_duration_s", s.duration_s},
-      {"path_length_m", s.length_m},           {"triangles", scene->scene().mesh.triangles.size()}};
+  return {{"scene", scene->scene().name},    {"scene_file", scene_file.string()},
+          {"path_file", path_file.string()}, {"path_duration_s", s.duration_s},
+          {"path_length_m", s.length_m},     {"triangles", scene->scene().mesh.triangles.size()}};
 }
 
 World LoadWorld(const std::string& scene, const std::string& path) {

@@ -85,7 +85,7 @@ TEST(Render, InterruptedLeavesNothing) {
   const ProgramResult result =
       RunSilt("render --scene studio --width 320 --spp 64 --fps 1000 --duration 1 --out " +
                   Quoted(folder / "out/seq"),
-              "timeout --preserve-status --signal INT 2");
+              "timeout --preserve-status --signal INT 5");
   EXPECT_EQ(result.exit_code, 130);
   EXPECT_THAT(result.error, HasSubstr("silt: interrupted"));
   EXPECT_TRUE(!std::filesystem::exists(folder / "out") ||
