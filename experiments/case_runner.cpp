@@ -72,8 +72,8 @@ Json RenderPlan::ToJson() const {
   const PinholeCamera& c = options.camera;
   Json json{{"camera", {c.fx, c.fy, c.cx, c.cy, c.width, c.height}},
             {"samples_per_pixel", options.samples_per_pixel},
-            {"exposure_s", options.exposure_s},
-            {"time_samples", options.time_samples},
+            {"exposure_s", options.shutter.exposure_s},
+            {"time_samples", options.shutter.time_samples},
             {"noise", options.noise ? "handa" : "none"},
             {"seeds", noise_seeds.empty() ? std::vector{options.seed} : noise_seeds}};
   json.update(stretch.ToJson());
@@ -116,8 +116,8 @@ const std::vector<PaperSequence>& PaperSequences() {
 sim::RenderOptions PaperRenderOptions(bool blur_and_noise) {
   sim::RenderOptions options;
   if (blur_and_noise) {
-    options.exposure_s = 1 / kPaperFps;
-    options.time_samples = 16;
+    options.shutter.exposure_s = 1 / kPaperFps;
+    options.shutter.time_samples = 16;
     options.noise = sim::NoiseModel::Handa();
   }
   return options;

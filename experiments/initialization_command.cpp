@@ -43,7 +43,7 @@ struct Condition {
 std::vector<Condition> Conditions(const ExperimentBasics& basics) {
   Condition sharp{"sharp", basics.Rendering(false)}, blurred{"blurred", basics.Rendering(true)};
   Condition noisy{"noisy", blurred.rendering};
-  noisy.rendering.exposure_s = 0;
+  noisy.rendering.shutter.exposure_s = 0;
   return {sharp, noisy, blurred};
 }
 

@@ -31,8 +31,8 @@ RenderPlan SimulationOptions::Plan() const {
   if (width % 4 != 0) throw Error("--width: must be a multiple of 4, for a height of 3/4 of it");
   plan.options.camera = IclNuimCameraOfWidth(width);
   plan.options.samples_per_pixel = samples_per_pixel;
-  plan.options.exposure_s = ExposureSeconds(blur, fps);
-  plan.options.time_samples = time_samples;
+  plan.options.shutter.exposure_s = ExposureSeconds(blur, fps);
+  plan.options.shutter.time_samples = time_samples;
   if (noise == "handa") plan.options.noise = sim::NoiseModel::Handa();
   plan.options.seed = seed;
   plan.stretch = {fps, start_s, duration_s};

@@ -27,7 +27,10 @@ float Log2TexelsPerMetre(const Scene& scene, const Triangle& triangle) {
 }  // namespace
 
 LitScene::LitScene(Scene scene, const LightingOptions& options)
-    : scene_(std::move(scene)), tracer_(scene_), irradiance_(scene_, tracer_, options) {
+    : scene_(std::move(scene)),
+      tracer_(scene_),
+      irradiance_(scene_, tracer_, options),
+      planes_(SurfacePlanes(scene_)) {
   for (const Triangle& triangle : scene_.mesh.triangles) {
     texel_density_.push_back(Log2TexelsPerMetre(scene_, triangle));
   }

@@ -8,6 +8,7 @@
 #include "silt/sim/lighting_options.h"
 #include "silt/sim/ray_tracer.h"
 #include "silt/sim/scene.h"
+#include "silt/sim/surface_planes.h"
 
 namespace silt::sim {
 
@@ -22,6 +23,7 @@ class LitScene {
   const Scene& scene() const { return scene_; }
   const RayTracer& tracer() const { return tracer_; }
   const Irradiance& irradiance() const { return irradiance_; }
+  const SurfacePlane& plane(std::uint32_t triangle) const { return planes_[triangle]; }
   // log2 of a triangle's texels per metre, the geometric mean of both directions; 0 untextured.
   float log2_texels_per_metre(std::uint32_t triangle) const { return texel_density_[triangle]; }
 
@@ -29,6 +31,7 @@ class LitScene {
   Scene scene_;
   RayTracer tracer_;
   Irradiance irradiance_;
+  std::vector<SurfacePlane> planes_;
   std::vector<float> texel_density_;
 };
 

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "silt/sim/renderer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "silt/core/error.h"
-#include "silt/core/parallel.h"
 #include "silt/sim/camera_rays.h"
-#include "silt/sim/denormals.h"
+#include "silt/sim/image_tiles.h"
 #include "silt/sim/response_curve.h"
 #include "silt/sim/shading.h"
 #include "silt/sim/shutter.h"
@@ -19,26 +17,12 @@ namespace silt::sim {
 
 namespace {
 
-// Pixels that one task renders, in packets of 4 × 4.
-constexpr int kTile = 16;
-
-void ForTiles(int width, int height, const std::function<void(int x, int y)>& body) {
-  const int columns = (width + kTile - 1) / kTile, rows = (height + kTile - 1) / kTile;
-  ParallelFor(columns * rows, [&](int i) {
-    const ScopedFlushDenormals flush;
-    body(i % columns * kTile, i / columns * kTile);
-  });
-}
-
-// Where along the ray it meets the plane of a triangle: exact, where Embree's own distance is
-// rounded to float.
-double PlaneDistance(const Mesh& mesh, std::uint32_t number, const Vec3d& origin,
-                     const Vec3d& direction) {
-  const std::uint32_t* vertex = mesh.triangles[number].vertex;
-  const Vec3d a = mesh.positions[vertex[0]].Cast<double>();
-  const Vec3d normal = Cross(mesh.positions[vertex[1]].Cast<double>() - a,
-                             mesh.positions[vertex[2]].Cast<double>() - a);
-  return Dot(normal, a - origin) / Dot(normal, direction);
+// Calls visit(x, y) for the upper left pixel of each packet's block in a tile.
+template <typename Visit>
+void ForEachBlock(const ImageTile& tile, const Visit& visit) {
+  for (int y = tile.top; y < tile.bottom; y += CameraRays::kBlock) {
+    for (int x = tile.left; x < tile.right; x += CameraRays::kBlock) visit(x, y);
+  }
 }
 
 // All that the samples of one frame have in common.
@@ -67,6 +51,36 @@ void AddSample(const Exposure& exposure, std::size_t k, int x, int y, Image<Vec3
   }
 }
 
+// What the ray through a pixel's centre meets.
+struct CentreHit {
+  const SurfacePlane& plane;
+  float depth_m;
+  bool front;
+};
+
+// Calls visit(x, y, hit) for every pixel that sees something, in parallel.
+template <typename Visit>
+void ForEachCentreHit(const LitScene& lit, const PinholeCamera& camera,
+                      const SE3d& world_from_camera, const Visit& visit) {
+  const CameraRays camera_rays(camera, world_from_camera);
+  ForEachTile(camera.width, camera.height, [&](const ImageTile& tile) {
+    ForEachBlock(tile, [&](int left, int top) {
+      RayPacket rays;
+      camera_rays.Fill(left, top, {}, rays);
+      HitPacket hits;
+      lit.tracer().TraceCoherent(rays, hits);
+      for (int i = 0; i < kPacketSize; ++i) {
+        if (hits.triangle[i] == kNoTriangle) continue;
+        const int x = left + i % CameraRays::kBlock, y = top + i / CameraRays::kBlock;
+        const SurfacePlane& plane = lit.plane(hits.triangle[i]);
+        const double z = plane.Distance(camera_rays.origin(), camera_rays.Direction(x, y));
+        const bool good = z > 0 && std::isfinite(z);
+        visit(x, y, CentreHit{plane, good ? float(z) : hits.distance[i], hits.cosine[i] < 0});
+      }
+    });
+  });
+}
+
 }  // namespace
 
 void RenderOptions::Validate() const {
@@ -77,8 +91,10 @@ void RenderOptions::Validate() const {
           "the camera needs a size and focal lengths above 0");
   require(samples_per_pixel >= 1 && samples_per_pixel <= 4096,
           "samples per pixel must be 1 to 4096");
-  require(exposure_s >= 0 && std::isfinite(exposure_s), "the exposure must be 0 s or more");
-  require(time_samples >= 1 && time_samples <= 4096, "time samples must be 1 to 4096");
+  require(shutter.exposure_s >= 0 && std::isfinite(shutter.exposure_s),
+          "the exposure must be 0 s or more");
+  require(shutter.time_samples >= 1 && shutter.time_samples <= 4096,
+          "time samples must be 1 to 4096");
 }
 
 Renderer::Renderer(Scene scene, const RenderOptions& options, const LightingOptions& lighting)
@@ -92,11 +108,7 @@ Renderer::Renderer(std::shared_ptr<const LitScene> scene, const RenderOptions& o
 Image<Vec3f> Renderer::RenderLinear(const PoseAtTime& world_from_camera, double time_s) const {
   const PinholeCamera& camera = options_.camera;
   Exposure exposure{
-      *lit_,
-      camera,
-      ShutterSamples({options_.samples_per_pixel, options_.exposure_s, options_.time_samples}),
-      {},
-      0};
+      *lit_, camera, ShutterSamples(options_.samples_per_pixel, options_.shutter), {}, 0};
   for (const ShutterSample& sample : exposure.samples) {
     exposure.rays.emplace_back(camera, world_from_camera(time_s + sample.time_s));
   }
@@ -104,46 +116,38 @@ Image<Vec3f> Renderer::RenderLinear(const PoseAtTime& world_from_camera, double 
   exposure.pixel_width = float(1 / std::sqrt(camera.fx * camera.fy)) / std::sqrt(count);
 
   Image<Vec3f> image(camera.width, camera.height);
-  ForTiles(camera.width, camera.height, [&](int left, int top) {
-    const int right = std::min(left + kTile, camera.width);
-    const int bottom = std::min(top + kTile, camera.height);
+  ForEachTile(camera.width, camera.height, [&](const ImageTile& tile) {
     for (std::size_t k = 0; k < exposure.samples.size(); ++k) {
-      for (int y = top; y < bottom; y += CameraRays::kBlock) {
-        for (int x = left; x < right; x += CameraRays::kBlock) AddSample(exposure, k, x, y, image);
-      }
+      ForEachBlock(tile, [&](int x, int y) { AddSample(exposure, k, x, y, image); });
     }
-    for (int y = top; y < bottom; ++y) {
-      for (int x = left; x < right; ++x) image(x, y) = (1 / count) * image(x, y);
+    for (int y = tile.top; y < tile.bottom; ++y) {
+      for (int x = tile.left; x < tile.right; ++x) image(x, y) = (1 / count) * image(x, y);
     }
   });
   return image;
 }
 
 Image<float> Renderer::RenderDepth(const SE3d& world_from_camera) const {
-  const PinholeCamera& camera = options_.camera;
-  const CameraRays camera_rays(camera, world_from_camera);
-  Image<float> depth(camera.width, camera.height);
-  const auto block = [&](int x, int y) {
-    RayPacket rays;
-    camera_rays.Fill(x, y, {}, rays);
-    HitPacket hits;
-    lit_->tracer().TraceCoherent(rays, hits);
-    for (int i = 0; i < kPacketSize; ++i) {
-      if (hits.triangle[i] == kNoTriangle) continue;
-      const int px = x + i % CameraRays::kBlock, py = y + i / CameraRays::kBlock;
-      const double z = PlaneDistance(lit_->scene().mesh, hits.triangle[i], camera_rays.origin(),
-                                     camera_rays.Direction(px, py));
-      depth(px, py) = z > 0 && std::isfinite(z) ? float(z) : hits.distance[i];
-    }
-  };
-  ForTiles(camera.width, camera.height, [&](int left, int top) {
-    for (int y = top; y < std::min(top + kTile, camera.height); y += CameraRays::kBlock) {
-      for (int x = left; x < std::min(left + kTile, camera.width); x += CameraRays::kBlock) {
-        block(x, y);
-      }
-    }
-  });
-  return depth;
+  Image<float> depth_m(options_.camera.width, options_.camera.height);
+  ForEachCentreHit(*lit_, options_.camera, world_from_camera,
+                   [&](int x, int y, const CentreHit& hit) { depth_m(x, y) = hit.depth_m; });
+  return depth_m;
+}
+
+GeometryBuffers Renderer::RenderGeometry(const SE3d& world_from_camera) const {
+  const int width = options_.camera.width, height = options_.camera.height;
+  GeometryBuffers buffers{Image<float>(width, height), Image<Vec3f>(width, height),
+                          Image<std::uint32_t>(width, height), Image<std::uint32_t>(width, height)};
+  const Mat3d camera_from_world = Transposed(world_from_camera.rotation.Matrix());
+  ForEachCentreHit(*lit_, options_.camera, world_from_camera,
+                   [&](int x, int y, const CentreHit& hit) {
+                     const Vec3d normal = camera_from_world * hit.plane.normal;
+                     buffers.depth_m(x, y) = hit.depth_m;
+                     buffers.normal_camera(x, y) = (hit.front ? normal : -normal).Cast<float>();
+                     buffers.instance(x, y) = hit.plane.instance;
+                     buffers.material(x, y) = hit.plane.material;
+                   });
+  return buffers;
 }
 
 Image<Rgb8> Renderer::Develop(Image<Vec3f> radiance, const NoiseKey& key) const {

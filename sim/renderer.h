@@ -10,8 +10,10 @@
 #include "silt/core/camera.h"
 #include "silt/core/frame.h"
 #include "silt/core/se3.h"
+#include "silt/sim/geometry_buffers.h"
 #include "silt/sim/lit_scene.h"
 #include "silt/sim/sensor_noise.h"
+#include "silt/sim/shutter.h"
 
 namespace silt::sim {
 
@@ -21,8 +23,7 @@ using PoseAtTime = std::function<SE3d(double time_s)>;
 struct RenderOptions {
   PinholeCamera camera = kIclNuimCamera;
   int samples_per_pixel = 4;
-  double exposure_s = 0;                           // 0: no motion blur
-  int time_samples = 16;                           // instants in an exposure, at least
+  Shutter shutter = {};
   std::optional<NoiseModel> noise = std::nullopt;  // of the colours; depth is exact
   std::uint64_t seed = 0;                          // of the noise
 
@@ -49,6 +50,9 @@ class Renderer {
 
   // z of what the ray through each pixel's centre meets, in metres; 0: nothing.
   Image<float> RenderDepth(const SE3d& world_from_camera) const;
+
+  // The same rays, and all that is known of what they meet.
+  GeometryBuffers RenderGeometry(const SE3d& world_from_camera) const;
 
   const RenderOptions& options() const { return options_; }
   const std::shared_ptr<const LitScene>& lit_scene() const { return lit_; }

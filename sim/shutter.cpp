@@ -9,11 +9,10 @@
 
 namespace silt::sim {
 
-std::vector<ShutterSample> ShutterSamples(const Shutter& shutter) {
-  SILT_CHECK(shutter.samples_per_pixel >= 1 && shutter.exposure_s >= 0);
+std::vector<ShutterSample> ShutterSamples(int samples_per_pixel, const Shutter& shutter) {
+  SILT_CHECK(samples_per_pixel >= 1 && shutter.exposure_s >= 0);
   const bool blurred = shutter.exposure_s > 0;
-  const int n = blurred ? std::max(shutter.samples_per_pixel, shutter.time_samples)
-                        : shutter.samples_per_pixel;
+  const int n = blurred ? std::max(samples_per_pixel, shutter.time_samples) : samples_per_pixel;
   const std::vector<Vec2d> offsets = SquareSamples(n);
   std::vector<ShutterSample> samples;
   for (int k = 0; k < n; ++k) {

@@ -8,9 +8,8 @@
 
 namespace silt::sim {
 
-// How a pixel's time and area are covered.
+// When light is let in.
 struct Shutter {
-  int samples_per_pixel = 4;
   double exposure_s = 0;  // 0: an instant
   int time_samples = 16;  // at least so many instants where exposure_s > 0
 };
@@ -23,6 +22,6 @@ struct ShutterSample {
 };
 
 // The mean of the times and of the offsets is 0: a frame is an average about its own pose.
-std::vector<ShutterSample> ShutterSamples(const Shutter& shutter);
+std::vector<ShutterSample> ShutterSamples(int samples_per_pixel, const Shutter& shutter);
 
 }  // namespace silt::sim

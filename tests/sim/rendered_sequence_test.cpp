@@ -18,7 +18,7 @@ std::shared_ptr<const Renderer> RoomRenderer() {
   static const auto renderer = [] {
     LightingOptions coarse;
     coarse.direct_spacing_m = coarse.indirect_spacing_m = 0.5f;
-    RenderOptions options{.camera = kCamera, .exposure_s = 1.0 / 60};
+    RenderOptions options{.camera = kCamera, .shutter = {.exposure_s = 1.0 / 60}};
     options.noise = NoiseModel::Handa();
     return std::make_shared<const Renderer>(RoomWithBoxAndBall(), options, coarse);
   }();

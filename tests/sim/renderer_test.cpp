@@ -37,7 +37,7 @@ std::shared_ptr<const LitScene> Room() {
 }
 
 TEST(Renderer, FramesDoNotDependOnTheNumberOfThreads) {
-  RenderOptions options{.camera = kCamera, .exposure_s = 0.1};
+  RenderOptions options{.camera = kCamera, .shutter = {.exposure_s = 0.1}};
   options.noise = NoiseModel::Handa();
   const PoseAtTime moving = [](double t) {
     return kRoomPose * SE3d::Exp({{0.1 * t, 0.2 * t, 0}, {t, 0, 0}});
@@ -153,8 +153,8 @@ TEST(Renderer, BlurIsTheMeanOfSharpFrames) {
     }
     return Mean(frames);
   };
-  const Renderer blurred(Room(),
-                         {.camera = kCamera, .samples_per_pixel = 64, .exposure_s = exposure_s});
+  const Renderer blurred(
+      Room(), {.camera = kCamera, .samples_per_pixel = 64, .shutter = {.exposure_s = exposure_s}});
   const Image<Vec3f> blur = blurred.RenderLinear(moving, middle_s);
   const double begin_s = middle_s - exposure_s / 2;
   const double difference = MeanDifference(blur, mean_of_sharp(begin_s, exposure_s));
@@ -167,7 +167,7 @@ TEST(Renderer, BlurIsTheMeanOfSharpFrames) {
 
 TEST(Renderer, DepthIsThatOfTheMiddleOfTheExposure) {
   const PoseAtTime moving = [](double t) { return kRoomPose * SE3d::Exp({{0, t, 0}, {}}); };
-  RenderOptions options{.camera = kCamera, .exposure_s = 0.2};
+  RenderOptions options{.camera = kCamera, .shutter = {.exposure_s = 0.2}};
   options.noise = NoiseModel::Handa();
   const Renderer renderer(Room(), options);
   const Frame frame = renderer.Render(moving, 0.3, 0);
@@ -190,9 +190,10 @@ TEST(Renderer, NoiseDependsOnSeedAndFrame) {
 TEST(Renderer, RefusesOptionsThatMakeNoPicture) {
   EXPECT_THROW(Renderer(Room(), {.camera = {1, 1, 0, 0, 0, 0}}), Error);
   EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .samples_per_pixel = 0}), Error);
-  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .exposure_s = -1}), Error);
-  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .exposure_s = std::nan("")}), Error);
-  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .time_samples = 0}), Error);
+  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .shutter = {.exposure_s = -1}}), Error);
+  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .shutter = {.exposure_s = std::nan("")}}),
+               Error);
+  EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .shutter = {.time_samples = 0}}), Error);
 }
 
 }  // namespace

@@ -12,26 +12,26 @@ namespace silt::sim {
 namespace {
 
 TEST(Shutter, AnInstantHasOnlyPlaces) {
-  const std::vector<ShutterSample> samples = ShutterSamples({4, 0, 16});
+  const std::vector<ShutterSample> samples = ShutterSamples(4, {0, 16});
   EXPECT_EQ(samples.size(), 4u);
   for (const ShutterSample& sample : samples) EXPECT_EQ(sample.time_s, 0);
 }
 
 TEST(Shutter, ASinglePictureIsTakenThroughThePixelCentre) {
-  const std::vector<ShutterSample> samples = ShutterSamples({1, 0, 16});
+  const std::vector<ShutterSample> samples = ShutterSamples(1, {0, 16});
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_EQ(samples[0].offset.x, 0);
   EXPECT_EQ(samples[0].offset.y, 0);
 }
 
 TEST(Shutter, AnExposureHasAtLeastTheInstantsAskedFor) {
-  EXPECT_EQ(ShutterSamples({4, 0.01, 16}).size(), 16u);
-  EXPECT_EQ(ShutterSamples({64, 0.01, 16}).size(), 64u);
+  EXPECT_EQ(ShutterSamples(4, {0.01, 16}).size(), 16u);
+  EXPECT_EQ(ShutterSamples(64, {0.01, 16}).size(), 64u);
 }
 
 TEST(Shutter, TheExposureIsCoveredEvenlyAboutItsMiddle) {
   const double exposure_s = 1.0 / 60;
-  const std::vector<ShutterSample> samples = ShutterSamples({1, exposure_s, 16});
+  const std::vector<ShutterSample> samples = ShutterSamples(1, {exposure_s, 16});
   double sum = 0;
   std::set<int> strata;
   for (const ShutterSample& sample : samples) {
@@ -46,7 +46,7 @@ TEST(Shutter, TheExposureIsCoveredEvenlyAboutItsMiddle) {
 
 // A place that followed time would sharpen or smear a moving edge by up to a pixel.
 TEST(Shutter, PlacesAreCentredInEachHalfOfTheExposure) {
-  const std::vector<ShutterSample> samples = ShutterSamples({1, 1, 16});
+  const std::vector<ShutterSample> samples = ShutterSamples(1, {1, 16});
   for (const bool late : {false, true}) {
     Vec2d mean;
     for (const ShutterSample& sample : samples) {
