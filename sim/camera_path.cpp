@@ -36,8 +36,8 @@ std::vector<double> FrameTimes(double fps, double start_s, double duration_s) {
   return times;
 }
 
-CameraPath::CameraPath(PoseSpline spline, HandShake shake)
-    : spline_(std::move(spline)), shake_(std::move(shake)) {
+CameraPath::CameraPath(PoseSpline spline, HandShake shake, std::optional<FitResiduals> fit)
+    : spline_(std::move(spline)), shake_(std::move(shake)), fit_(fit) {
   SILT_CHECK(spline_.start_s() == 0);
 }
 
@@ -61,7 +61,20 @@ PathStatistics CameraPath::Statistics() const {
     last = pose;
   }
   s.mean_speed_m_s = s.length_m / duration_s();
+  AddAccelerations(s);
   return s;
+}
+
+void CameraPath::AddAccelerations(PathStatistics& s) const {
+  const int steps = std::max(1, int(std::lround(duration_s() * 200)));
+  for (int k = 0; k <= steps; ++k) {
+    const CameraMotion motion = Motion(k * (duration_s() / steps));
+    const double m_s2 = Norm(motion.acceleration);
+    const double deg_s2 = kDegrees * Norm(motion.angular_acceleration);
+    s.mean_acceleration_m_s2 += m_s2 / (steps + 1);
+    s.max_acceleration_m_s2 = std::max(s.max_acceleration_m_s2, m_s2);
+    s.max_turn_acceleration_deg_s2 = std::max(s.max_turn_acceleration_deg_s2, deg_s2);
+  }
 }
 
 Trajectory CameraPath::Sample(double fps, double start_s, double duration_s) const {

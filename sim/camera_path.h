@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "silt/core/se3.h"
@@ -9,15 +10,18 @@
 #include "silt/sim/camera_motion.h"
 #include "silt/sim/hand_shake.h"
 #include "silt/sim/spline.h"
+#include "silt/sim/trajectory_smoothing.h"
 
 namespace silt::sim {
 
-// How far and how fast a path moves, measured between samples 1 ms apart.
+// How far and how fast a path moves, measured between samples 1 ms apart; accelerations at 5 ms.
 struct PathStatistics {
   double duration_s = 0;
   double length_m = 0;
   double mean_speed_m_s = 0, max_speed_m_s = 0;
   double mean_turn_deg_s = 0, max_turn_deg_s = 0;
+  double mean_acceleration_m_s2 = 0, max_acceleration_m_s2 = 0;
+  double max_turn_acceleration_deg_s2 = 0;
   Vec3d lowest, highest;  // corners of the box that holds all positions, in world coordinates
 };
 
@@ -32,12 +36,15 @@ std::vector<double> FrameTimes(double fps, double start_s, double duration_s);
 // open there, and throws silt::Error farther out.
 class CameraPath {
  public:
-  // The spline must start at time 0.
-  explicit CameraPath(PoseSpline spline, HandShake shake = {});
+  // The spline must start at time 0. `fit` tells how far it is from the poses that it replays.
+  explicit CameraPath(PoseSpline spline, HandShake shake = {},
+                      std::optional<FitResiduals> fit = {});
 
   double duration_s() const { return spline_.end_s(); }
   // Without the shake: what passes through the key poses.
   const PoseSpline& spline() const { return spline_; }
+  // Of a replayed trajectory only.
+  const std::optional<FitResiduals>& fit() const { return fit_; }
 
   SE3d WorldFromCamera(double time_s) const { return At(time_s); }
   CameraMotion Motion(double time_s) const { return MotionOf(At(TimeJet::Time(time_s))); }
@@ -62,8 +69,11 @@ class CameraPath {
   }
 
  private:
+  void AddAccelerations(PathStatistics& statistics) const;
+
   PoseSpline spline_;
   HandShake shake_;
+  std::optional<FitResiduals> fit_;
 };
 
 }  // namespace silt::sim

@@ -2,82 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "silt/sim/path_file.h"
 
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "silt/core/error.h"
+#include "silt/sim/path_tables.h"
 #include "silt/sim/toml_table.h"
 
 namespace silt::sim {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
-// Nearer than this to the vertical, look_at says too little about the camera's heading.
-constexpr double kLeastTilt = 0.1 * kRadians;
-constexpr double kLargestTurn = 120 * kRadians;
-
-Quaterniond ParseLookAt(const TomlTable& key, const Vec3d& position) {
-  const Vec3d target = key.Vector("look_at");
-  const Vec3d view = target - position;
-  if (!(Norm(view) > 1e-6))
-    key.Fail("look_at", "is the position itself: a view direction is missing");
-  if (std::hypot(view.x, view.y) < std::sin(kLeastTilt) * Norm(view)) {
-    key.Fail("look_at", "is straight above or below position: give a quaternion instead");
-  }
-  const Vec3d roll{0, 0, kRadians * key.Number("roll_deg", 0)};
-  return LookAt(position, target).rotation * Quaterniond::Exp(roll);
-}
-
-Quaterniond ParseQuaternion(const TomlTable& key) {
-  const std::vector<double> n = key.Numbers("quaternion", 4);
-  const Quaterniond q{n[3], n[0], n[1], n[2]};
-  const double norm = std::sqrt(q.w * q.w + Dot(q.vec(), q.vec()));
-  if (!(std::abs(norm - 1) < 1e-2)) {
-    key.Fail("quaternion", "qx qy qz qw is not of norm 1");
-  }
-  return q.Normalized();
-}
-
-StampedPose ParseKey(const TomlTable& key) {
-  if (key.Has("look_at") && key.Has("quaternion")) {
-    key.Fail("quaternion", "and look_at exclude each other");
-  }
-  const double time_s = key.Number("time_s");
-  const Vec3d position = key.Vector("position");
-  const Quaterniond rotation =
-      key.Has("quaternion") ? ParseQuaternion(key) : ParseLookAt(key, position);
-  key.RejectUnknownKeys();
-  return {time_s, {rotation, position}};
-}
-
-void CheckSuccession(const TomlTable& key, const StampedPose& last, const StampedPose& next) {
-  if (!(next.time_s - last.time_s >= 1e-3)) {
-    key.Fail("time_s", "must be at least 0.001 s after that of the key before");
-  }
-  if (next.time_s > 1e5) key.Fail("time_s", "must not exceed 100000 s");
-  const double turn =
-      RotationAngle(last.world_from_camera.rotation.Conjugate() * next.world_from_camera.rotation);
-  if (turn > kLargestTurn) {
-    key.Fail("key", "turns by " + std::to_string(std::lround(turn / kRadians)) +
-                        " degrees from the one before: add keys in between (at most 120 each)");
-  }
-}
-
-Trajectory ParseKeys(const TomlTable& file) {
-  Trajectory keys;
-  for (const TomlTable& key : file.Tables("key")) {
-    keys.push_back(ParseKey(key));
-    if (keys.size() == 1 && keys[0].time_s != 0) {
-      key.Fail("time_s", "of the first key must be 0");
-    }
-    if (keys.size() > 1) CheckSuccession(key, keys[keys.size() - 2], keys.back());
-  }
-  if (keys.size() < 2)
-    file.Fail("key", "is missing: a camera path needs at least two [[key]] tables");
-  return keys;
-}
+namespace fs = std::filesystem;
 
 HandShake ParseHandShake(const TomlTable& file) {
   const std::optional<TomlTable> table = file.Table("hand_shake");
@@ -101,32 +36,43 @@ HandShake ParseHandShake(const TomlTable& file) {
   }
 }
 
-CameraPath ReadPath(const TomlTable& file) {
-  const Trajectory keys = ParseKeys(file);
-  const HandShake shake = ParseHandShake(file);
-  file.RejectUnknownKeys();
-  try {
-    return CameraPath(PoseSpline::Through(keys), shake);
-  } catch (const Error& error) {
-    throw Error(file.place() + ": " + error.what());
+struct BaseMotion {
+  PoseSpline spline;
+  std::optional<FitResiduals> fit;
+};
+
+BaseMotion ReadBaseMotion(const TomlTable& file, const fs::path& folder) {
+  if (const auto table = file.Table("replay")) {
+    const SmoothedTrajectory replay = ReadReplay(*table, folder);
+    return {replay.spline, replay.residuals};
   }
+  if (const auto table = file.Table("orbit")) return {ReadOrbit(*table), {}};
+  if (const auto table = file.Table("line")) return {ReadLine(*table), {}};
+  if (const auto table = file.Table("lissajous")) return {ReadLissajous(*table), {}};
+  return {ReadKeys(file), {}};
+}
+
+CameraPath ReadPath(const TomlTable& file, const fs::path& folder) {
+  std::string first;
+  for (const char* const kind : {"replay", "orbit", "line", "lissajous", "key"}) {
+    if (!file.Has(kind)) continue;
+    if (!first.empty()) file.Fail(kind, "and " + first + " exclude each other: keep one motion");
+    first = kind;
+  }
+  BaseMotion motion = ReadBaseMotion(file, folder);
+  HandShake shake = ParseHandShake(file);
+  file.RejectUnknownKeys();
+  return CameraPath(std::move(motion.spline), std::move(shake), motion.fit);
 }
 
 }  // namespace
 
-SE3d LookAt(const Vec3d& position, const Vec3d& target) {
-  const Vec3d forward = Normalized(target - position);
-  const Vec3d right = Normalized(Cross(forward, {0, 0, 1}));
-  const Mat3d camera_from_world{{right, Cross(forward, right), forward}};
-  return {QuaternionFromMatrix(Transposed(camera_from_world)), position};
-}
-
-CameraPath LoadCameraPath(const std::filesystem::path& file) {
-  return ReadPath(TomlTable::ReadFile(file));
+CameraPath LoadCameraPath(const fs::path& file) {
+  return ReadPath(TomlTable::ReadFile(file), file.parent_path());
 }
 
 CameraPath ParseCameraPath(const std::string& text, const std::string& name) {
-  return ReadPath(TomlTable::Parse(text, name));
+  return ReadPath(TomlTable::Parse(text, name), fs::path(name).parent_path());
 }
 
 }  // namespace silt::sim

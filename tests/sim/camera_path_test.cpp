@@ -34,9 +34,26 @@ TEST(CameraPath, StatisticsOfACircle) {
   EXPECT_NEAR(s.max_speed_m_s, speed, 1e-2);
   EXPECT_NEAR(s.mean_turn_deg_s, 36, 1e-6);
   EXPECT_NEAR(s.max_turn_deg_s, 36, 1e-6);
+  EXPECT_NEAR(s.max_acceleration_m_s2, speed * speed, 0.12);
+  EXPECT_NEAR(s.mean_acceleration_m_s2, speed * speed, 0.02);
+  EXPECT_LT(s.max_turn_acceleration_deg_s2, 1e-6);
   EXPECT_LT(Norm(s.lowest - Vec3d{-1, -1, 1.5}), 1e-3);
   EXPECT_LT(Norm(s.highest - Vec3d{1, 1, 1.5}), 1e-3);
   EXPECT_DOUBLE_EQ(Circle().LengthM(), s.length_m);
+}
+
+// A turn about x by φ = a·sin(2πt/T) has φ̈ of at most a·(2π/T)²; the path stands still.
+TEST(CameraPath, StatisticsOfASwing) {
+  Trajectory keys;
+  for (int i = 0; i <= 80; ++i) {
+    keys.push_back(
+        {0.05 * i, {Quaterniond::Exp({0.2 * std::sin(std::numbers::pi * 0.05 * i), 0, 0}), {}}});
+  }
+  const PathStatistics s = CameraPath(PoseSpline::Through(keys)).Statistics();
+  const double rate = std::numbers::pi;
+  EXPECT_NEAR(s.max_turn_acceleration_deg_s2, 0.2 * rate * rate * 180 / rate, 0.5);
+  EXPECT_EQ(s.max_acceleration_m_s2, 0);
+  EXPECT_EQ(s.length_m, 0);
 }
 
 TEST(CameraPath, HandShakeAddsToTheSpline) {

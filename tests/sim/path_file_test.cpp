@@ -49,24 +49,6 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-TEST(LookAt, SeesTheTargetInTheMiddleWithTheWorldUpright) {
-  const Vec3d position{1, 2, 1.5}, target{-0.5, 3, 0.2};
-  const SE3d camera_from_world = LookAt(position, target).Inverse();
-  const Vec3d seen = camera_from_world * target;
-  EXPECT_NEAR(seen.x, 0, 1e-14);
-  EXPECT_NEAR(seen.y, 0, 1e-14);
-  EXPECT_NEAR(seen.z, Norm(target - position), 1e-14);
-  const Vec3d up = camera_from_world.rotation * Vec3d{0, 0, 1};
-  EXPECT_NEAR(up.x, 0, 1e-14);
-  EXPECT_LT(up.y, 0);  // y is down
-}
-
-TEST(LookAt, NorthwardsHasEastOnItsRight) {
-  const SE3d world_from_camera = LookAt({0, 0, 0}, {0, 1, 0});
-  EXPECT_LT(Norm(world_from_camera.rotation * Vec3d{1, 0, 0} - Vec3d{1, 0, 0}), 1e-15);
-  EXPECT_LT(Norm(world_from_camera.rotation * Vec3d{0, 1, 0} - Vec3d{0, 0, -1}), 1e-15);
-}
-
 TEST(PathFile, PassesThroughItsKeys) {
   const CameraPath path = ParseCameraPath(kTwoKeys, "path.toml");
   EXPECT_EQ(path.duration_s(), 2.5);
