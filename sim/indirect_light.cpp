@@ -45,7 +45,7 @@ Vec3f IndirectLight::Irradiance(const Vec3f& position, const Vec3f& unit_normal,
     for (int i = 0; i < count; ++i) {
       const bool missed = hits.triangle[i] == kNoTriangle;
       farthest_m = std::max(farthest_m, missed ? rays.far[i] : hits.distance[i]);
-      sum += missed ? scene_.ambient
+      sum += missed ? scene_.Background(frame.World(directions_[traced + std::size_t(i)]))
                     : radiance(hits.triangle[i], hits.u[i], hits.v[i], hits.cosine[i] < 0);
     }
     traced += std::size_t(count);

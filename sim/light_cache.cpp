@@ -44,6 +44,13 @@ void AddTextures(const Scene& scene, ContentHash& hash) {
   }
 }
 
+void AddEnvironment(const Scene& scene, ContentHash& hash) {
+  if (!scene.environment) return;
+  const Image<Vec3f>& picture = scene.environment->picture();
+  hash.Add(picture.width()).AddBytes(picture.data(), picture.size() * sizeof(Vec3f));
+  hash.Add(scene.environment->yaw_rad());
+}
+
 std::string Checksum(const StoredLight& light) {
   return ContentHash().AddArray(light.front).AddArray(light.back).Digest();
 }
@@ -76,6 +83,7 @@ std::optional<fs::path> LightCacheFile(const Scene& scene, const LightingOptions
   hash.AddArray(scene.mesh.positions).AddArray(scene.mesh.normals);
   hash.AddArray(scene.mesh.texcoords).AddArray(scene.mesh.triangles);
   hash.AddArray(scene.lights).AddBytes(&scene.ambient, sizeof(scene.ambient));
+  AddEnvironment(scene, hash);
   AddTextures(scene, hash);
   return *folder / (std::string(kPrefix) + hash.Digest());
 }

@@ -43,7 +43,8 @@ void AddSample(const Exposure& exposure, std::size_t k, int x, int y, Image<Vec3
     if (!rays.valid[i]) continue;
     Vec3f& pixel = sum(x + i % CameraRays::kBlock, y + i / CameraRays::kBlock);
     if (hits.triangle[i] == kNoTriangle) {
-      pixel += exposure.lit.scene().ambient;
+      pixel += exposure.lit.scene().Background(
+          {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]});
     } else {
       pixel += Shade(exposure.lit, {hits.triangle[i], hits.u[i], hits.v[i], hits.cosine[i],
                                     hits.distance[i] * exposure.pixel_width});

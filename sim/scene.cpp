@@ -51,6 +51,7 @@ class SceneBuilder {
   Scene Build() && {
     scene_.name = file_.name;
     scene_.ambient = file_.ambient.Cast<float>();
+    AddEnvironment();
     scene_.exposure = file_.exposure;
     AddFileMaterials();
     AddPrimitives();
@@ -61,6 +62,15 @@ class SceneBuilder {
   }
 
  private:
+  void AddEnvironment() {
+    if (!file_.environment) return;
+    const EnvironmentEntry& entry = *file_.environment;
+    scene_.environment = std::make_shared<const Environment>(
+        entry.file.empty() ? MakeSky(entry.sky)
+                           : LoadEnvironment(entry.file, entry.strength, Radians(entry.yaw_deg)));
+    scene_.ambient = scene_.environment->mean();
+  }
+
   void AddFileMaterials() {
     for (const MaterialEntry& entry : file_.materials) {
       Material material = entry.material;

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "silt/core/vector.h"
+#include "silt/sim/environment.h"
 #include "silt/sim/material.h"
 #include "silt/sim/mesh.h"
 #include "silt/sim/texture.h"
@@ -35,10 +37,16 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<RectLight> lights;
-  Vec3f ambient;          // linear radiance that arrives from directions that nothing occludes
-  double exposure = 1.0;  // linear radiance × exposure → [0, 1]
+  Vec3f ambient;  // linear radiance that arrives from directions that nothing occludes,
+  std::shared_ptr<const Environment> environment;  // unless there is this
+  double exposure = 1.0;                           // linear radiance × exposure → [0, 1]
   std::vector<Instance> instances;
   std::vector<std::string> warnings;  // one line each: what third-party models lack
+
+  // What a ray brings that meets nothing.
+  Vec3f Background(const Vec3f& direction) const {
+    return environment ? environment->Radiance(direction) : ambient;
+  }
 };
 
 // Reads a scene file (its format: scene_file.h) and everything that it names. The result does not

@@ -47,7 +47,27 @@ class SceneReader {
     const fs::path folder = fs::absolute(scene_.path).lexically_normal().parent_path();
     scene_.name = root_.String("name", folder.filename().string());
     scene_.ambient = root_.Has("ambient") ? ReadRadiance(root_, "ambient") : Vec3d{0.2, 0.2, 0.2};
+    ReadEnvironment();
     if (root_.Has("exposure")) scene_.exposure = ReadPositive(root_, "exposure");
+  }
+
+  void ReadEnvironment() {
+    const std::optional<TomlTable> table = root_.Table("environment");
+    if (!table) return;
+    if (root_.Has("ambient")) {
+      root_.Fail("ambient", "and [environment] exclude each other: remove one");
+    }
+    EnvironmentEntry entry;
+    if (table->Has("file")) {
+      entry.file = ReadFilePath(*table, "file");
+      if (table->Has("strength")) entry.strength = ReadPositive(*table, "strength");
+      entry.yaw_deg = table->Number("yaw_deg", 0);
+    } else {
+      entry.sky = {ReadRadiance(*table, "zenith"), ReadRadiance(*table, "horizon"),
+                   ReadRadiance(*table, "ground")};
+    }
+    table->RejectUnknownKeys();
+    scene_.environment = entry;
   }
 
   // A path in the scene file that must name an existing file, made absolute.
@@ -105,12 +125,23 @@ class SceneReader {
     }
     entry.material.cutout = table.Bool("cutout", false);
     entry.material.two_sided = table.Bool("two_sided", true);
+    ReadReflection(table, entry.material);
     table.RejectUnknownKeys();
     const int index = int(scene_.materials.size());
     if (!material_index_.emplace(entry.material.name, index).second) {
       table.Fail("name", "is taken by another [[material]]: '" + entry.material.name + "'");
     }
     scene_.materials.push_back(std::move(entry));
+  }
+
+  static void ReadReflection(const TomlTable& table, Material& material) {
+    material.mirror = table.Bool("mirror", false);
+    for (const auto& [key, value] :
+         {std::pair{"specular", &material.specular}, std::pair{"metallic", &material.metallic},
+          std::pair{"roughness", &material.roughness}}) {
+      *value = float(ReadShare(table, key, *value));
+      if (material.mirror && table.Has(key)) table.Fail(key, "does not go with mirror = true");
+    }
   }
 
   void ReadBox(const TomlTable& table) {

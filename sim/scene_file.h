@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "silt/core/vector.h"
+#include "silt/sim/environment.h"
 #include "silt/sim/material.h"
 
 // clang-format off
@@ -18,7 +19,17 @@
 //
 //   name = "Office"            default: the folder's name
 //   ambient = [r, g, b]        linear radiance of what nothing occludes; default [0.2, 0.2, 0.2]
+//                              (instead of it: [environment])
 //   exposure = 1.0             linear radiance × exposure → [0, 1]; default 1
+//
+//   [environment]              what nothing occludes: a picture, or a sky of three colours
+//   file = "sky.hdr"           equirectangular, z up, +y in its middle, +x to the right of it; linear
+//                              (.hdr), or what OpenCV reads, as sRGB. Or else all of
+//   zenith = [r, g, b]         linear radiance straight up
+//   horizon = [r, g, b]        and level
+//   ground = [r, g, b]         and below the horizon
+//   strength = 1               factor of the picture; default 1
+//   yaw_deg = 0                turns the picture about z, counter-clockwise from above; default 0
 //
 //   [[archive]]                a .zip, .sh3f or other archive that models are taken from
 //   id = "scopia"
@@ -35,6 +46,11 @@
 //                              seen; what lights a room is a [[light]]
 //   cutout = false             holes where the texture's alpha is below ½; default false
 //   two_sided = true           false: black from behind; default true
+//   specular = 0.04            reflectance of a coat at normal incidence, 0..1; default 0: matt.
+//                              This and the next three show with --specular or --light path
+//   metallic = 0               1: a metal, whose colour is that of its reflections; default 0
+//   roughness = 0.5            of the coat or metal, 0..1 (GGX, α = roughness²); default 0.5
+//   mirror = false             a perfect mirror, tinted by the colour; default false
 //
 //   [[box]]
 //   name = "cabinet"           default: "box 1", "box 2", …; the same for the others below
@@ -152,6 +168,12 @@ struct ModelEntry {
   std::string place;
 };
 
+struct EnvironmentEntry {
+  std::filesystem::path file;  // empty: the sky
+  Sky sky;
+  double strength = 1, yaw_deg = 0;
+};
+
 struct LightEntry {
   std::string name;
   Vec3d center, u, v, radiance;
@@ -162,6 +184,7 @@ struct SceneFile {
   std::filesystem::path path;
   std::string name;
   Vec3d ambient;
+  std::optional<EnvironmentEntry> environment;
   double exposure = 1;
   std::map<std::string, ArchiveEntry> archives;  // by id
   std::vector<MaterialEntry> materials;

@@ -58,6 +58,12 @@ Vec3d ReadRadiance(const TomlTable& table, const std::string& key) {
   return radiance;
 }
 
+double ReadShare(const TomlTable& table, const std::string& key, double fallback) {
+  const double value = table.Number(key, fallback);
+  if (value < 0 || value > 1) table.Fail(key, "must lie in 0..1");
+  return value;
+}
+
 double ReadPositive(const TomlTable& table, const std::string& key) {
   const double value = table.Number(key);
   if (value <= 0) table.Fail(key, "must be above 0");

@@ -14,6 +14,8 @@ namespace silt::sim {
 Vec3f ReadColour(const TomlTable& table, const std::string& key);
 // Linear, not negative.
 Vec3d ReadRadiance(const TomlTable& table, const std::string& key);
+// In 0..1; `fallback` where the key is absent.
+double ReadShare(const TomlTable& table, const std::string& key, double fallback);
 // Above 0.
 double ReadPositive(const TomlTable& table, const std::string& key);
 Vec3d ReadSize(const TomlTable& table, const std::string& key);

@@ -127,6 +127,33 @@ TEST(SceneFileTest, HasDefaults) {
   EXPECT_EQ(file.boxes.at(0).at.z, 0);
 }
 
+TEST(SceneFileTest, ReadsReflection) {
+  const SceneFile file = Read(std::string(kMaterial) + "specular = 0.04\nmetallic = 0.5\n" +
+                              "roughness = 0.3\n[[material]]\nname = 'n'\nmirror = true\n" + kBox);
+  EXPECT_EQ(file.materials[0].material.specular, 0.04f);
+  EXPECT_EQ(file.materials[0].material.metallic, 0.5f);
+  EXPECT_EQ(file.materials[0].material.roughness, 0.3f);
+  EXPECT_TRUE(file.materials[0].material.reflects());
+  EXPECT_TRUE(file.materials[1].material.mirror);
+  EXPECT_FALSE(Read(std::string(kMaterial) + kBox).materials[0].material.reflects());
+}
+
+TEST(SceneFileTest, ReadsTheEnvironment) {
+  const std::string rest = std::string(kMaterial) + kBox;
+  const SceneFile sky = Read(rest + "[environment]\nzenith = [1, 2, 3]\nhorizon = [4, 5, 6]\n" +
+                             "ground = [0, 0, 0.5]\n");
+  EXPECT_EQ(sky.environment->sky.horizon.y, 5);
+  EXPECT_TRUE(sky.environment->file.empty());
+  const SceneFile file =
+      Read(rest + "[environment]\nfile = 'model.obj'\nstrength = 2\nyaw_deg = -90\n");
+  EXPECT_EQ(file.environment->strength, 2);
+  EXPECT_EQ(file.environment->yaw_deg, -90);
+  EXPECT_THAT(ErrorOf([&] {
+                Read("ambient = [1, 1, 1]\n" + rest + "[environment]\nfile = 'model.obj'\n");
+              }),
+              HasSubstr(":1: ambient and [environment] exclude each other"));
+}
+
 struct BadScene {
   const char* after_material;  // its first line is line 3 of the file
   const char* message;         // after the file's name
@@ -155,6 +182,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"tile_m = [1, 0]\n", "3: tile_m must be above 0"},
         BadScene{"tile_m = 1\n", "3: tile_m must be an array of 2"},
         BadScene{"emission = [-1, 0, 0]\n", "3: emission must not be negative"},
+        BadScene{"specular = 1.5\n", "3: specular must lie in 0..1"},
+        BadScene{"metallic = -1\n", "3: metallic must lie in 0..1"},
+        BadScene{"roughness = 'x'\n", "3: roughness must be a"},
+        BadScene{"mirror = 1\n", "3: mirror must be"},
+        BadScene{"mirror = true\nroughness = 0.1\n", "4: roughness does not go with mirror"},
+        BadScene{"[environment]\nzenith = [1, 1, 1]\n", "3: horizon is missing"},
+        BadScene{"[environment]\nfile = 'none.hdr'\n", "4: file names no file"},
+        BadScene{"[environment]\nfile = 'model.obj'\nstrength = 0\n",
+                 "5: strength must be above 0"},
+        BadScene{"[environment]\nfile = 'model.obj'\nzenith = [1, 1, 1]\n",
+                 "5: unknown key 'zenith'"},
         BadScene{"[[material]]\nname = 'm'\n", "4: name is taken"},
         BadScene{"[[material]]\n", "3: name is missing"},
         BadScene{"[[box]]\nsize = [1, 1, 1]\n", "3: material is missing"},
