@@ -74,7 +74,7 @@ Json RenderPlan::ToJson() const {
             {"samples_per_pixel", options.samples_per_pixel},
             {"exposure_s", options.shutter.exposure_s},
             {"time_samples", options.shutter.time_samples},
-            {"noise", options.noise ? "handa" : "none"},
+            {"noise", options.sensor.noise.index() == 0 ? "none" : "handa"},
             {"seeds", noise_seeds.empty() ? std::vector{options.seed} : noise_seeds}};
   json.update(stretch.ToJson());
   return json;
@@ -118,7 +118,7 @@ sim::RenderOptions PaperRenderOptions(bool blur_and_noise) {
   if (blur_and_noise) {
     options.shutter.exposure_s = 1 / kPaperFps;
     options.shutter.time_samples = 16;
-    options.noise = sim::NoiseModel::Handa();
+    options.sensor.noise = sim::HandaNoise{};
   }
   return options;
 }

@@ -33,7 +33,7 @@ RenderPlan SimulationOptions::Plan() const {
   plan.options.samples_per_pixel = samples_per_pixel;
   plan.options.shutter.exposure_s = ExposureSeconds(blur, fps);
   plan.options.shutter.time_samples = time_samples;
-  if (noise == "handa") plan.options.noise = sim::NoiseModel::Handa();
+  if (noise == "handa") plan.options.sensor.noise = sim::HandaNoise{};
   plan.options.seed = seed;
   plan.stretch = {fps, start_s, duration_s};
   return plan;

@@ -9,7 +9,6 @@
 #include "silt/core/error.h"
 #include "silt/sim/camera_rays.h"
 #include "silt/sim/image_tiles.h"
-#include "silt/sim/response_curve.h"
 #include "silt/sim/shading.h"
 #include "silt/sim/shutter.h"
 
@@ -61,10 +60,8 @@ struct CentreHit {
 
 // Calls visit(x, y, hit) for every pixel that sees something, in parallel.
 template <typename Visit>
-void ForEachCentreHit(const LitScene& lit, const PinholeCamera& camera,
-                      const SE3d& world_from_camera, const Visit& visit) {
-  const CameraRays camera_rays(camera, world_from_camera);
-  ForEachTile(camera.width, camera.height, [&](const ImageTile& tile) {
+void ForEachCentreHit(const LitScene& lit, const CameraRays& camera_rays, const Visit& visit) {
+  ForEachTile(camera_rays.width(), camera_rays.height(), [&](const ImageTile& tile) {
     ForEachBlock(tile, [&](int left, int top) {
       RayPacket rays;
       camera_rays.Fill(left, top, {}, rays);
@@ -102,8 +99,9 @@ Renderer::Renderer(Scene scene, const RenderOptions& options, const LightingOpti
     : Renderer(std::make_shared<const LitScene>(std::move(scene), lighting), options) {}
 
 Renderer::Renderer(std::shared_ptr<const LitScene> scene, const RenderOptions& options)
-    : lit_(std::move(scene)), options_(options) {
+    : lit_(std::move(scene)), options_(options), sensor_(options.sensor, options.camera) {
   options_.Validate();
+  if (!options.lens.IsNone()) lens_ = std::make_shared<LensMap>(options.camera, options.lens);
 }
 
 Image<Vec3f> Renderer::RenderLinear(const PoseAtTime& world_from_camera, double time_s) const {
@@ -111,7 +109,7 @@ Image<Vec3f> Renderer::RenderLinear(const PoseAtTime& world_from_camera, double 
   Exposure exposure{
       *lit_, camera, ShutterSamples(options_.samples_per_pixel, options_.shutter), {}, 0};
   for (const ShutterSample& sample : exposure.samples) {
-    exposure.rays.emplace_back(camera, world_from_camera(time_s + sample.time_s));
+    exposure.rays.emplace_back(camera, world_from_camera(time_s + sample.time_s), lens_.get());
   }
   const auto count = float(exposure.samples.size());
   exposure.pixel_width = float(1 / std::sqrt(camera.fx * camera.fy)) / std::sqrt(count);
@@ -130,7 +128,7 @@ Image<Vec3f> Renderer::RenderLinear(const PoseAtTime& world_from_camera, double 
 
 Image<float> Renderer::RenderDepth(const SE3d& world_from_camera) const {
   Image<float> depth_m(options_.camera.width, options_.camera.height);
-  ForEachCentreHit(*lit_, options_.camera, world_from_camera,
+  ForEachCentreHit(*lit_, {options_.camera, world_from_camera, lens_.get()},
                    [&](int x, int y, const CentreHit& hit) { depth_m(x, y) = hit.depth_m; });
   return depth_m;
 }
@@ -140,7 +138,7 @@ GeometryBuffers Renderer::RenderGeometry(const SE3d& world_from_camera) const {
   GeometryBuffers buffers{Image<float>(width, height), Image<Vec3f>(width, height),
                           Image<std::uint32_t>(width, height), Image<std::uint32_t>(width, height)};
   const Mat3d camera_from_world = Transposed(world_from_camera.rotation.Matrix());
-  ForEachCentreHit(*lit_, options_.camera, world_from_camera,
+  ForEachCentreHit(*lit_, {options_.camera, world_from_camera, lens_.get()},
                    [&](int x, int y, const CentreHit& hit) {
                      const Vec3d normal = camera_from_world * hit.plane.normal;
                      buffers.depth_m(x, y) = hit.depth_m;
@@ -152,10 +150,7 @@ GeometryBuffers Renderer::RenderGeometry(const SE3d& world_from_camera) const {
 }
 
 Image<Rgb8> Renderer::Develop(Image<Vec3f> radiance, const NoiseKey& key) const {
-  const auto exposure = float(lit_->scene().exposure);
-  for (Vec3f& value : radiance) value = exposure * value;
-  if (options_.noise) AddNoise(*options_.noise, key, radiance);
-  return EncodeSrgb8(radiance);
+  return sensor_.Develop(std::move(radiance), lit_->scene().exposure, key);
 }
 
 Frame Renderer::Render(const PoseAtTime& world_from_camera, double time_s, int frame_index) const {

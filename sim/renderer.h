@@ -5,14 +5,15 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 
 #include "silt/core/camera.h"
 #include "silt/core/frame.h"
+#include "silt/core/lens.h"
 #include "silt/core/se3.h"
 #include "silt/sim/geometry_buffers.h"
+#include "silt/sim/lens_map.h"
 #include "silt/sim/lit_scene.h"
-#include "silt/sim/sensor_noise.h"
+#include "silt/sim/sensor.h"
 #include "silt/sim/shutter.h"
 
 namespace silt::sim {
@@ -24,8 +25,9 @@ struct RenderOptions {
   PinholeCamera camera = kIclNuimCamera;
   int samples_per_pixel = 4;
   Shutter shutter = {};
-  std::optional<NoiseModel> noise = std::nullopt;  // of the colours; depth is exact
-  std::uint64_t seed = 0;                          // of the noise
+  SensorOptions sensor = {};  // of the colours; depth is exact
+  std::uint64_t seed = 0;     // of the noise
+  LensDistortion lens = {};   // that colours and depth are seen through
 
   void Validate() const;  // throws silt::Error
 };
@@ -45,7 +47,7 @@ class Renderer {
   // Mean linear radiance of each pixel over the exposure, without noise.
   Image<Vec3f> RenderLinear(const PoseAtTime& world_from_camera, double time_s) const;
 
-  // What the sensor makes of radiance: exposure, noise (if any), response curve, 8 bits.
+  // What the sensor makes of radiance, at the scene's exposure.
   Image<Rgb8> Develop(Image<Vec3f> radiance, const NoiseKey& key) const;
 
   // z of what the ray through each pixel's centre meets, in metres; 0: nothing.
@@ -60,6 +62,8 @@ class Renderer {
  private:
   std::shared_ptr<const LitScene> lit_;
   RenderOptions options_;
+  Sensor sensor_;
+  std::shared_ptr<const LensMap> lens_;  // null without distortion
 };
 
 }  // namespace silt::sim

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "silt/core/error.h"
 #include "silt/core/parallel.h"
 #include "silt/core/random.h"
 
@@ -20,7 +21,14 @@ float Noisy(float signal, double sigma_shot, double sigma_read, double normal) {
 
 }  // namespace
 
-void AddNoise(const NoiseModel& model, const NoiseKey& key, Image<Vec3f>& signal) {
+void HandaNoise::Validate() const {
+  for (const Vec3d& sigma : {sigma_shot, sigma_read}) {
+    const bool good = sigma.x >= 0 && sigma.y >= 0 && sigma.z >= 0 && Norm(sigma) <= 1;
+    if (!good) throw Error("sensor noise: each standard deviation must be from 0 to 1");
+  }
+}
+
+void AddNoise(const HandaNoise& model, const NoiseKey& key, Image<Vec3f>& signal) {
   const CounterRandom random(key.seed, key.frame);
   ParallelFor(signal.height(), [&](int y) {
     std::uint64_t index = 3 * std::uint64_t(y) * std::uint64_t(signal.width());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
 #include "silt/core/image.h"
 #include "silt/core/vector.h"
@@ -10,15 +11,18 @@
 namespace silt::sim {
 
 // Shot and read noise of a colour camera: a signal I in [0, 1], linear in light, gets Gaussian
-// noise of variance σ_s²·I + σ_c², per channel, before the response curve and the 8 bits.
-struct NoiseModel {
-  Vec3d sigma_shot;
-  Vec3d sigma_read;
+// noise of variance σ_s²·I + σ_c², per channel, before the response curve and the 8 bits. The
+// constants are those released with Handa et al., "Real-Time Camera Tracking: When is High
+// Frame-Rate Best?", ECCV 2012.
+struct HandaNoise {
+  Vec3d sigma_shot{0.0104, 0.0066, 0.0106};
+  Vec3d sigma_read{0.0045, 0.0038, 0.0050};
 
-  // The constants released with Handa et al., "Real-Time Camera Tracking: When is High Frame-Rate
-  // Best?", ECCV 2012.
-  static NoiseModel Handa() { return {{0.0104, 0.0066, 0.0106}, {0.0045, 0.0038, 0.0050}}; }
+  void Validate() const;  // throws silt::Error
 };
+
+// The first of them: none.
+using NoiseModel = std::variant<std::monostate, HandaNoise>;
 
 // What must differ for two pictures to have independent noise.
 struct NoiseKey {
@@ -28,6 +32,6 @@ struct NoiseKey {
 
 // Adds noise to a signal (values outside [0, 1] count as saturated). A pixel's noise is a function
 // of (seed, frame, pixel, channel) alone.
-void AddNoise(const NoiseModel& model, const NoiseKey& key, Image<Vec3f>& signal);
+void AddNoise(const HandaNoise& model, const NoiseKey& key, Image<Vec3f>& signal);
 
 }  // namespace silt::sim

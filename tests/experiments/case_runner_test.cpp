@@ -43,7 +43,7 @@ TEST_F(CaseRunner, GivesEveryFrameOfTheStretchWithItsTruth) {
 
 // What ForEachFrame puts together itself must be what the renderer makes.
 TEST_F(CaseRunner, FramesAreTheRenderers) {
-  plan_.options.noise = sim::NoiseModel::Handa();
+  plan_.options.sensor.noise = sim::HandaNoise{};
   plan_.options.seed = 5;
   const sim::Renderer renderer(world_.scene, plan_.options);
   for (const RenderedFrame& rendered : Frames()) {
@@ -54,7 +54,7 @@ TEST_F(CaseRunner, FramesAreTheRenderers) {
 }
 
 TEST_F(CaseRunner, AStretchIsPartOfTheWhole) {
-  plan_.options.noise = sim::NoiseModel::Handa();
+  plan_.options.sensor.noise = sim::HandaNoise{};
   const std::vector<RenderedFrame> whole = Frames();
   plan_.stretch = {60, 0.05, 0.05};
   const std::vector<RenderedFrame> part = Frames();
@@ -64,7 +64,7 @@ TEST_F(CaseRunner, AStretchIsPartOfTheWhole) {
 }
 
 TEST_F(CaseRunner, EachSeedGetsANoiseOfItsOwnAndTheSameDepth) {
-  plan_.options.noise = sim::NoiseModel::Handa();
+  plan_.options.sensor.noise = sim::HandaNoise{};
   plan_.noise_seeds = {3, 4};
   const std::vector<RenderedFrame> frames = Frames();
   ASSERT_EQ(frames.size(), 12u);

@@ -36,5 +36,17 @@ TEST(CameraRays, PacketsCoverBlocksAndEndWithTheImage) {
   }
 }
 
+TEST(CameraRays, PointsAlongARayThroughALensProjectToItsPixelAndDepth) {
+  const LensDistortion lens{-0.28, 0.07, 0.002, -0.003, -0.008};
+  const LensMap map(kIclNuimCamera, lens);
+  const CameraRays rays(kIclNuimCamera, kPose, &map);
+  for (const Vec2d& pixel : {Vec2d{0, 0}, Vec2d{639, 479}, Vec2d{12.25, 333.75}}) {
+    const Vec3d p = kPose.Inverse() * (rays.origin() + 2.5 * rays.Direction(pixel.x, pixel.y));
+    EXPECT_NEAR(p.z, 2.5, 1e-12);
+    EXPECT_NEAR(ProjectThroughLens(kIclNuimCamera, lens, p).x, pixel.x, 1e-9);
+    EXPECT_NEAR(ProjectThroughLens(kIclNuimCamera, lens, p).y, pixel.y, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace silt::sim

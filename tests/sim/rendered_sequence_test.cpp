@@ -19,7 +19,7 @@ std::shared_ptr<const Renderer> RoomRenderer() {
     LightingOptions coarse;
     coarse.direct_spacing_m = coarse.indirect_spacing_m = 0.5f;
     RenderOptions options{.camera = kCamera, .shutter = {.exposure_s = 1.0 / 60}};
-    options.noise = NoiseModel::Handa();
+    options.sensor.noise = HandaNoise{};
     return std::make_shared<const Renderer>(RoomWithBoxAndBall(), options, coarse);
   }();
   return renderer;

@@ -38,7 +38,7 @@ std::shared_ptr<const LitScene> Room() {
 
 TEST(Renderer, FramesDoNotDependOnTheNumberOfThreads) {
   RenderOptions options{.camera = kCamera, .shutter = {.exposure_s = 0.1}};
-  options.noise = NoiseModel::Handa();
+  options.sensor.noise = HandaNoise{};
   const PoseAtTime moving = [](double t) {
     return kRoomPose * SE3d::Exp({{0.1 * t, 0.2 * t, 0}, {t, 0, 0}});
   };
@@ -168,7 +168,7 @@ TEST(Renderer, BlurIsTheMeanOfSharpFrames) {
 TEST(Renderer, DepthIsThatOfTheMiddleOfTheExposure) {
   const PoseAtTime moving = [](double t) { return kRoomPose * SE3d::Exp({{0, t, 0}, {}}); };
   RenderOptions options{.camera = kCamera, .shutter = {.exposure_s = 0.2}};
-  options.noise = NoiseModel::Handa();
+  options.sensor.noise = HandaNoise{};
   const Renderer renderer(Room(), options);
   const Frame frame = renderer.Render(moving, 0.3, 0);
   EXPECT_EQ(frame.time_s, 0.3);
@@ -178,7 +178,7 @@ TEST(Renderer, DepthIsThatOfTheMiddleOfTheExposure) {
 TEST(Renderer, NoiseDependsOnSeedAndFrame) {
   const auto render = [](std::uint64_t seed, int frame) {
     RenderOptions options{.camera = kCamera};
-    options.noise = NoiseModel::Handa();
+    options.sensor.noise = HandaNoise{};
     options.seed = seed;
     return Renderer(Room(), options).Render(Still(kRoomPose), 0, frame).rgb;
   };

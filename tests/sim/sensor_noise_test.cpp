@@ -18,7 +18,7 @@ constexpr double kSigmas = 5;
 
 Image<Vec3f> NoisyLevel(float level, const NoiseKey& key) {
   Image<Vec3f> signal(kWidth, kHeight, {level, level, level});
-  AddNoise(NoiseModel::Handa(), key, signal);
+  AddNoise(HandaNoise{}, key, signal);
   return signal;
 }
 
