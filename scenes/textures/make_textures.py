@@ -13,6 +13,8 @@ import numpy as np
 from PIL import Image
 
 from books import BOOKS
+from home import HOME
+from paintings import PAINTINGS
 from paper import SHEETS
 from screens import SCREENS
 from surfaces import SURFACES
@@ -32,7 +34,7 @@ def save(name, image):
 
 
 def main(names):
-    makers = {**SURFACES, **SHEETS, **BOOKS, **WALL, **SCREENS}
+    makers = {**SURFACES, **HOME, **SHEETS, **BOOKS, **WALL, **PAINTINGS, **SCREENS}
     unknown = sorted(set(names) - set(makers))
     if unknown:
         sys.exit(f"make_textures.py: no such texture: {', '.join(unknown)}")

@@ -148,6 +148,7 @@ SURFACES = {
     "oak": lambda: wood(101, (214, 178, 128), (150, 104, 60)),
     "oak_upright": lambda: wood(101, (214, 178, 128), (150, 104, 60)).transpose(1, 0, 2),
     "walnut": lambda: wood(111, (128, 88, 58), (62, 38, 24), rings=7),
+    "walnut_upright": lambda: wood(111, (128, 88, 58), (62, 38, 24), rings=7).transpose(1, 0, 2),
     "beech": lambda: wood(121, (226, 196, 154), (190, 146, 98), rings=12),
     "beech_upright": lambda: wood(121, (226, 196, 154), (190, 146, 98), rings=12).transpose(1, 0, 2),
     "fabric": fabric,

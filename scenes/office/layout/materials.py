@@ -2,10 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The office's own materials."""
 
-from pieces import BINDERS, COVERS, SPINES
-
-_CLOTHS = ("#982824", "#1c3e6e", "#e2c45c", "#245c46", "#e8e4d6", "#323034", "#c46028", "#5c3c6e",
-           "#7896aa", "#ced4cc", "#621e30", "#1e6e78")
+from stock import add_books, add_pictures, add_pins, add_surfaces
 
 # name -> (texture, tile in metres or None, colour or None)
 _SURFACES = {
@@ -46,22 +43,10 @@ _PICTURES = ("poster_map", "poster_pinhole", "poster_concert", "poster_chart", "
 
 
 def add_materials(scene):
-    for name, (texture, tile, color) in _SURFACES.items():
-        scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg", tile_m=tile)
-    for name in _PICTURES:
-        scene.table("material", name=name.replace("_", " "), texture=f"../textures/{name}.jpg")
-    for i in range(SPINES):
-        scene.table("material", name=f"spine {i}", texture=f"../textures/spine_{i:02d}.jpg")
-    for i in range(COVERS):
-        scene.table("material", name=f"flat spine {i}", texture=f"../textures/flat_spine_{i}.jpg")
-        scene.table("material", name=f"flat cover {i}", texture=f"../textures/flat_cover_{i}.jpg")
-    for i in range(BINDERS):
-        scene.table("material", name=f"binder {i}", texture=f"../textures/binder_{i}.jpg")
-    for i, color in enumerate(_CLOTHS):
-        scene.table("material", name=f"cloth {i}", color=color, texture="../textures/fabric.jpg", tile_m=(0.06, 0.06))
-    scene.table("material", name="page edges", texture="../textures/pages.jpg", tile_m=(0.12, 0.06))
-    scene.table("material", name="pin", color="#c8322c")
-    scene.table("material", name="pin blue", color="#2c5cb4")
+    add_surfaces(scene, _SURFACES)
+    add_pictures(scene, _PICTURES)
+    add_books(scene)
+    add_pins(scene)
     scene.table("material", name="clock face", texture="../textures/clock.png", cutout=True)
     for name, glow in (("screen_code", 0.68), ("screen_plots", 0.58)):
         scene.table("material", name=name.replace("_", " "), color="#303030", texture=f"../textures/{name}.jpg",

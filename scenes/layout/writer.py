@@ -4,6 +4,8 @@
 
 import math
 
+from catalogue import find
+
 
 def _number(x):
     return f"{round(float(x), 5):g}" if x else "0"
@@ -40,10 +42,10 @@ class Place:
 
 
 class SceneWriter:
-    def __init__(self, catalogue):
-        self.catalogue = catalogue  # short name -> (archive, path, size in metres, rotation or None)
+    def __init__(self):
         self.parts = []
-        self.used = {}
+        self.used = set()  # the keys of the catalogue's models
+        self.meshes = {}   # file -> Mesh, our own
 
     def table(self, kind, comment=None, **keys):
         self.parts.append((kind, comment, {k: v for k, v in keys.items() if v is not None}))
@@ -76,14 +78,23 @@ class SceneWriter:
                    segments=segments)
 
     def model(self, name, key, place, at=(0, 0, 0), yaw_deg=0.0, size=None, materials=None):
-        archive, path, natural, rotation = self.catalogue[key]
-        self.used[key] = self.used.get(key, 0) + 1
-        self.table("model", name=name, archive=archive, file=path, size=size or natural,
-                   rotation=rotation, at=place.point(*at),
+        model = find(key)
+        self.used.add(key)
+        self.table("model", name=name, archive=model.archive, file=model.path, size=size or model.size,
+                   rotation=model.rotation, at=place.point(*at),
                    yaw_deg=(place.yaw_deg + yaw_deg) or None, materials=materials)
 
-    def text(self, head):
-        lines = [head]
+    def mesh(self, name, mesh, place, materials, file=None, at=(0, 0, 0), yaw_deg=0.0, **keys):
+        """A mesh of our own, its origin at `at`; kept as `file`.obj beside the scene."""
+        file = f"{file or name}.obj".replace(" ", "_")
+        self.meshes[file] = mesh
+        (x0, x1), (y0, y1), (z0, _) = mesh.bounds()
+        base = place.child(*at, yaw_deg)
+        self.table("model", name=name, file=file, up="z", at=base.point((x0 + x1) / 2, (y0 + y1) / 2, z0),
+                   yaw_deg=base.yaw_deg or None, materials=materials, **keys)
+
+    def text(self):
+        lines = []
         for kind, comment, keys in self.parts:
             if comment:
                 lines.append(f"\n# {comment}")
