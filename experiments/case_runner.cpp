@@ -19,12 +19,12 @@ namespace {
 
 constexpr double kPaperFps = 60;
 
-std::shared_ptr<const sim::LitScene> LoadLitScene(const std::filesystem::path& file) {
+std::shared_ptr<const sim::LitScene> LoadLitScene(const std::filesystem::path& file,
+                                                  sim::LightingOptions lighting) {
   sim::Scene scene = sim::LoadScene(file);
   for (const std::string& warning : scene.warnings) spdlog::debug("{}", warning);
   Progress progress(1);
   double done = 0;
-  sim::LightingOptions lighting;
   lighting.progress = [&](double share) {
     progress.Advance(share - std::exchange(done, share), "light of " + file.string());
   };
@@ -39,16 +39,21 @@ sim::PoseAtTime World::Pose() const {
 
 Json World::ToJson() const {
   const sim::PathStatistics s = path.Statistics();
-  return {{"scene", scene->scene().name},    {"scene_file", scene_file.string()},
-          {"path_file", path_file.string()}, {"path_duration_s", s.duration_s},
-          {"path_length_m", s.length_m},     {"triangles", scene->scene().mesh.triangles.size()}};
+  return {{"scene", scene->scene().name},
+          {"scene_file", scene_file.string()},
+          {"path_file", path_file.string()},
+          {"path_duration_s", s.duration_s},
+          {"path_length_m", s.length_m},
+          {"triangles", scene->scene().mesh.triangles.size()},
+          {"light", scene->light() == sim::LightMode::kPath ? "path" : "baked"}};
 }
 
-World LoadWorld(const std::string& scene, const std::string& path) {
+World LoadWorld(const std::string& scene, const std::string& path,
+                const sim::LightingOptions& lighting) {
   const std::filesystem::path scene_file = SceneFile(scene);
   const std::filesystem::path path_file = PathFile(scene_file, path);
   sim::CameraPath camera_path = sim::LoadCameraPath(path_file);
-  return {scene_file, path_file, LoadLitScene(scene_file), std::move(camera_path)};
+  return {scene_file, path_file, LoadLitScene(scene_file, lighting), std::move(camera_path)};
 }
 
 Json Stretch::ToJson() const {

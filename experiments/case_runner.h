@@ -31,7 +31,8 @@ struct World {
 
 // Names or paths, as SceneFile and PathFile take them. Tells of its progress and of the scene's
 // warnings on stderr.
-World LoadWorld(const std::string& scene, const std::string& path);
+World LoadWorld(const std::string& scene, const std::string& path,
+                const sim::LightingOptions& lighting = {});
 
 // The frames at the instants k/fps of a stretch of the path; k numbers a frame, whatever stretch it
 // is part of.

@@ -28,7 +28,8 @@ void Run(const Options& options, const Invocation& invocation) {
   SetThreadCount(options.simulation.threads);
   const RenderPlan plan = options.simulation.Plan();
   OutputFolder folder(options.out);
-  const World world = LoadWorld(options.simulation.scene, options.simulation.trajectory);
+  const World world = LoadWorld(options.simulation.scene, options.simulation.trajectory,
+                                options.simulation.Lighting());
   const int frames = int(TruePoses(world, plan.stretch).size());
   {
     Progress progress(frames);

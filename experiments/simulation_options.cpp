@@ -39,6 +39,12 @@ RenderPlan SimulationOptions::Plan() const {
   return plan;
 }
 
+sim::LightingOptions SimulationOptions::Lighting() const {
+  sim::LightingOptions lighting;
+  if (light == "path") lighting.mode = sim::LightMode::kPath;
+  return lighting;
+}
+
 void AddSimulationOptions(CLI::App& command, SimulationOptions& o, bool required) {
   const auto group = [](CLI::Option* option) { return option->group("Simulation"); };
   CLI::Option* scene = group(command.add_option(
@@ -57,7 +63,13 @@ void AddSimulationOptions(CLI::App& command, SimulationOptions& o, bool required
   number("--fps", o.fps, 0.1, 10000, "Frames per second");
   number("--start", o.start_s, 0, 1e6, "Start of the stretch of the path, in seconds");
   number("--duration", o.duration_s, 0, 1e6, "Its length in seconds; 0: to the end");
-  integer("--spp", o.samples_per_pixel, 1, 4096, "Samples per pixel");
+  integer("--spp", o.samples_per_pixel, 1, 65536, "Samples per pixel");
+  group(command
+            .add_option("--light", o.light,
+                        "baked: computed once on all surfaces, without noise; path: traced for "
+                        "each pixel, --spp paths each, exact but noisy and slow")
+            ->check(CLI::IsMember({"baked", "path"}))
+            ->capture_default_str());
   integer("--width", o.width, 16, 8192, "Width of the image; its height is 3/4 of it");
   group(command.add_option("--blur", o.blur, "Exposure: full (1/fps), 0 (an instant), or seconds")
             ->capture_default_str());

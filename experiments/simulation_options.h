@@ -19,11 +19,13 @@ struct SimulationOptions {
   double fps = 60, start_s = 0, duration_s = 0;
   int samples_per_pixel = 4, time_samples = 16, width = 640;
   std::string blur = "0", noise = "none";
+  std::string light = "baked";
   std::uint64_t seed = 0;
   int threads = 0;
 
   // Throws silt::Error for values that the options cannot have together.
   RenderPlan Plan() const;
+  sim::LightingOptions Lighting() const;
 };
 
 // --scene is asked for where `required`.

@@ -81,7 +81,8 @@ Tracked TrackFolder(const Options& options) {
 
 Tracked TrackSimulation(const Options& options) {
   const RenderPlan plan = options.simulation.Plan();
-  const World world = LoadWorld(options.simulation.scene, options.simulation.trajectory);
+  const World world = LoadWorld(options.simulation.scene, options.simulation.trajectory,
+                                options.simulation.Lighting());
   Tracked tracked;
   tracked.source = {{"world", world.ToJson()}, {"render", plan.ToJson()}};
   tracked.truth = TruePoses(world, plan.stretch);

@@ -19,6 +19,7 @@ namespace silt::sim {
 namespace {
 
 constexpr float kOpaqueEnough = 0.5f;
+constexpr float kDielectric = 0.04f;  // reflectance of glass, plastic and varnish
 
 // The file of a texture slot; empty where the material has none.
 std::string TexturePath(const aiMaterial& material, std::initializer_list<aiTextureType> types) {
@@ -64,6 +65,7 @@ class MaterialAppender {
     to.surface.name = String(from, AI_MATKEY_NAME);
     to.surface.diffuse = DiffuseColour(from);
     to.surface.emission = Colour(from, {0, 0, 0}, AI_MATKEY_COLOR_EMISSIVE);
+    SetReflection(from, to.surface);
     float opacity = 1;
     from.Get(AI_MATKEY_OPACITY, opacity);
     const std::string alpha_mode = String(from, AI_MATKEY_GLTF_ALPHAMODE);
@@ -95,6 +97,34 @@ class MaterialAppender {
     const Vec3f base =
         context_.linear_colours ? Colour(from, diffuse, AI_MATKEY_BASE_COLOR) : diffuse;
     return {std::min(base.x, 1.0f), std::min(base.y, 1.0f), std::min(base.z, 1.0f)};
+  }
+
+  void SetReflection(const aiMaterial& from, Material& to) const {
+    float metallic = -1, roughness = -1;
+    from.Get(AI_MATKEY_METALLIC_FACTOR, metallic);
+    from.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness);
+    if (metallic >= 0 && roughness >= 0) {
+      // Where a picture tells metal from paint the factor is 1 and says nothing: mostly paint.
+      const bool by_picture =
+          !TexturePath(from, {aiTextureType_METALNESS, aiTextureType_UNKNOWN}).empty();
+      to.metallic = by_picture ? 0 : std::clamp(metallic, 0.0f, 1.0f);
+      to.roughness = by_picture ? 0.5f : std::clamp(roughness, 0.0f, 1.0f);
+      to.specular = kDielectric;
+      return;
+    }
+    int shading = aiShadingMode_Phong;
+    from.Get(AI_MATKEY_SHADING_MODEL, shading);
+    const Vec3f phong = Colour(from, {}, AI_MATKEY_COLOR_SPECULAR);
+    float exponent = 0;
+    from.Get(AI_MATKEY_SHININESS, exponent);
+    const float strength = (phong.x + phong.y + phong.z) / 3;
+    const bool matt = shading == aiShadingMode_NoShading || shading == aiShadingMode_Flat ||
+                      shading == aiShadingMode_Gouraud;
+    if (matt || !(strength > 0) || !(exponent > 0) || !std::isfinite(exponent)) return;
+    // A lobe cosⁿ is about as wide as GGX with α² = 2/(n + 2). Exporters write Ks = ½ for what
+    // reflects 4 % at normal incidence.
+    to.specular = std::min(2 * kDielectric * strength, 1.0f);
+    to.roughness = std::pow(2 / (exponent + 2), 0.25f);
   }
 
   // The true name of a picture's file; empty, with a warning, where there is none.

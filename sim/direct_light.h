@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "silt/sim/ray_tracer.h"
+#include "silt/sim/surface_point.h"
 
 namespace silt::sim {
-
-// Distance by which rays start off the surface that they leave.
-inline constexpr float kRayOffsetM = 5e-4f;
 
 // Light that arrives straight from a scene's rectangles. Each light's share is its exact form
 // factor times the visible part of a fixed set of points on it: smooth where nothing is in between,

@@ -11,6 +11,7 @@
 
 #include "silt/core/color.h"
 #include "silt/core/error.h"
+#include "silt/sim/asset_source.h"
 
 namespace silt::sim {
 
@@ -30,8 +31,11 @@ std::pair<int, double> Invert(const double* sums, int intervals, double value) {
 }
 
 cv::Mat ReadPicture(const std::filesystem::path& file) {
+  const Bytes bytes = FolderSource().Read(file.string());
+  if (bytes->empty()) return {};
   try {
-    return cv::imread(file.string(), cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
+    return cv::imdecode(cv::Mat(1, int(bytes->size()), CV_8U, const_cast<char*>(bytes->data())),
+                        cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
   } catch (const cv::Exception& e) {
     throw Error(file.string() + ": cannot be decoded: " + e.err);
   }

@@ -29,8 +29,10 @@ float Log2TexelsPerMetre(const Scene& scene, const Triangle& triangle) {
 LitScene::LitScene(Scene scene, const LightingOptions& options)
     : scene_(std::move(scene)),
       tracer_(scene_),
-      irradiance_(scene_, tracer_, options),
+      light_(options.mode),
+      path_tracer_(scene_, tracer_),
       planes_(SurfacePlanes(scene_)) {
+  if (light_ == LightMode::kBaked) irradiance_.emplace(scene_, tracer_, options);
   for (const Triangle& triangle : scene_.mesh.triangles) {
     texel_density_.push_back(Log2TexelsPerMetre(scene_, triangle));
   }

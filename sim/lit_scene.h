@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "silt/sim/irradiance.h"
 #include "silt/sim/lighting_options.h"
+#include "silt/sim/path_tracer.h"
 #include "silt/sim/ray_tracer.h"
 #include "silt/sim/scene.h"
 #include "silt/sim/surface_planes.h"
@@ -22,7 +24,10 @@ class LitScene {
 
   const Scene& scene() const { return scene_; }
   const RayTracer& tracer() const { return tracer_; }
-  const Irradiance& irradiance() const { return irradiance_; }
+  LightMode light() const { return light_; }
+  // Light that is stored on surfaces; only for LightMode::kBaked.
+  const Irradiance& irradiance() const { return *irradiance_; }
+  const PathTracer& path_tracer() const { return path_tracer_; }
   const SurfacePlane& plane(std::uint32_t triangle) const { return planes_[triangle]; }
   // log2 of a triangle's texels per metre, the geometric mean of both directions; 0 untextured.
   float log2_texels_per_metre(std::uint32_t triangle) const { return texel_density_[triangle]; }
@@ -30,7 +35,9 @@ class LitScene {
  private:
   Scene scene_;
   RayTracer tracer_;
-  Irradiance irradiance_;
+  LightMode light_;
+  PathTracer path_tracer_;
+  std::optional<Irradiance> irradiance_;
   std::vector<SurfacePlane> planes_;
   std::vector<float> texel_density_;
 };

@@ -9,6 +9,7 @@
 #include "silt/core/error.h"
 #include "silt/sim/camera_rays.h"
 #include "silt/sim/image_tiles.h"
+#include "silt/sim/path_renderer.h"
 #include "silt/sim/shading.h"
 #include "silt/sim/shutter.h"
 
@@ -87,8 +88,8 @@ void RenderOptions::Validate() const {
   };
   require(camera.width > 0 && camera.height > 0 && camera.fx > 0 && camera.fy > 0,
           "the camera needs a size and focal lengths above 0");
-  require(samples_per_pixel >= 1 && samples_per_pixel <= 4096,
-          "samples per pixel must be 1 to 4096");
+  require(samples_per_pixel >= 1 && samples_per_pixel <= 65536,
+          "samples per pixel must be 1 to 65536");
   require(shutter.exposure_s >= 0 && std::isfinite(shutter.exposure_s),
           "the exposure must be 0 s or more");
   require(shutter.time_samples >= 1 && shutter.time_samples <= 4096,
@@ -114,6 +115,14 @@ Image<Vec3f> Renderer::RenderLinear(const PoseAtTime& world_from_camera, double 
   const auto count = float(exposure.samples.size());
   exposure.pixel_width = float(1 / std::sqrt(camera.fx * camera.fy)) / std::sqrt(count);
 
+  if (lit_->light() == LightMode::kPath) {
+    return RenderPaths(
+        lit_->path_tracer(),
+        {camera.width, camera.height, int(exposure.samples.size()), options_.seed, 0},
+        [&](int k, int x, int y, RayPacket& rays) {
+          exposure.rays[std::size_t(k)].Fill(x, y, exposure.samples[std::size_t(k)].offset, rays);
+        });
+  }
   Image<Vec3f> image(camera.width, camera.height);
   ForEachTile(camera.width, camera.height, [&](const ImageTile& tile) {
     for (std::size_t k = 0; k < exposure.samples.size(); ++k) {

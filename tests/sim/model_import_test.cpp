@@ -120,6 +120,27 @@ TEST(ModelImportTest, KnowsEmissionAndTransparency) {
   EXPECT_EQ(DecodePicture(model.pictures.at(picture))(1, 1).a, 0);
 }
 
+TEST(ModelImportTest, KnowsReflection) {
+  const TempFolder folder;
+  folder.Write("m.mtl",
+               "newmtl varnish\nKd 1 1 1\nKs 0.735 0.735 0.735\nNs 30\nillum 2\n"
+               "newmtl chalk\nKd 1 1 1\nKs 1 1 1\nNs 30\nillum 1\n"
+               "newmtl dull\nKd 1 1 1\nKs 0 0 0\nNs 30\nillum 2\n");
+  const Model model = Import(folder.Write("m.obj",
+                                          "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                                          "usemtl varnish\nf 1 2 3\nv 0 0 1\nusemtl chalk\n"
+                                          "f 1 2 4\nusemtl dull\nf 2 3 4\n"));
+  const auto find = [&](const std::string& name) {
+    return std::find_if(model.materials.begin(), model.materials.end(),
+                        [&](const ModelMaterial& m) { return m.surface.name == name; })
+        ->surface;
+  };
+  EXPECT_NEAR(find("varnish").specular, 0.08f * LinearFromSrgb(0.735f), 1e-5);
+  EXPECT_NEAR(find("varnish").roughness, 0.5f, 1e-5);
+  EXPECT_FALSE(find("chalk").reflects());
+  EXPECT_FALSE(find("dull").reflects());
+}
+
 TEST(ModelImportTest, MaterialFilesMayBeBroken) {
   for (const char* const mtl :
        {"", "\n", "Kd 1 0 0\nd 0.5\n", "onewmtl paper\nKd 1 0 0\n", "newmtl", "Kd"}) {
