@@ -96,7 +96,9 @@ void AddOptions(CLI::App& command, Options& o) {
   command
       .add_option("--preset", o.accuracy.presets, "Trackers to compare: paper, paper-all-pixels")
       ->capture_default_str();
-  command.add_option("--backend", o.accuracy.backend, "cpu or cuda")->capture_default_str();
+  command
+      .add_option("--backend", o.accuracy.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512 or cuda")
+      ->capture_default_str();
   command.add_option("--init", o.accuracy.initializer, "sparse or previous")->capture_default_str();
   RequireInteger(command.add_option("--threads", o.threads, "Threads; 0: one per processor")
                      ->capture_default_str(),

@@ -13,6 +13,7 @@
 #include "silt/core/parallel.h"
 #include "silt/experiments/build_info.h"
 #include "silt/sim/embree_adapter.h"
+#include "silt/tracker/simd_level.h"
 
 #ifdef SILT_HAVE_CUDA
 #include "silt/cuda/devices.h"
@@ -29,13 +30,6 @@ std::string ProcessorName() {
     if (colon != line.npos) return line.substr(colon + 2);
   }
   return "unknown";
-}
-
-// The widest registers that the processor has; the compiler's flags tell which are used.
-std::string SimdLevel() {
-  if (__builtin_cpu_supports("avx512f")) return "AVX-512";
-  if (__builtin_cpu_supports("avx2")) return "AVX2";
-  return __builtin_cpu_supports("sse4.2") ? "SSE4.2" : "SSE2";
 }
 
 std::string CudaFacts() {
@@ -75,7 +69,7 @@ Json BuildFacts() {
           {"flags", kCompilerFlags},
           {"processor", ProcessorName()},
           {"threads", ThreadCount()},
-          {"simd", SimdLevel()},
+          {"simd", tracker::Name(tracker::BestSimdLevel())},
           {"cuda", CudaFacts()},
           {"libraries",
            {{"Embree", sim::EmbreeAdapter::Version()},

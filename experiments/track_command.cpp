@@ -150,7 +150,9 @@ void AddTrackerOptions(CLI::App& command, Options& options) {
       .add_option("--preset", options.tracker.preset,
                   "Tracker: paper, paper-all-pixels (hidden ones too)")
       ->capture_default_str();
-  command.add_option("--backend", options.tracker.backend, "Where it computes: cpu or cuda")
+  command
+      .add_option("--backend", options.tracker.backend,
+                  "Where it computes: cpu, cpu-sse2, cpu-avx2, cpu-avx512 or cuda")
       ->capture_default_str();
   command
       .add_option("--init", options.tracker.initializer,

@@ -21,7 +21,9 @@ namespace {
 }  // namespace
 
 std::vector<std::string> PresetNames() { return {"paper", "paper-all-pixels"}; }
-std::vector<std::string> BackendNames() { return {"cpu", "cuda"}; }
+std::vector<std::string> BackendNames() {
+  return {"cpu", "cpu-sse2", "cpu-avx2", "cpu-avx512", "cuda"};
+}
 std::vector<std::string> InitializerNames() { return {"sparse", "previous"}; }
 
 tracker::TrackerOptions PresetOptions(const std::string& preset) {
@@ -32,6 +34,9 @@ tracker::TrackerOptions PresetOptions(const std::string& preset) {
 
 std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
   if (name == "cpu") return tracker::MakeCpuBackend();
+  if (name == "cpu-sse2" || name == "cpu-avx2" || name == "cpu-avx512") {
+    return tracker::MakeCpuBackend(tracker::SimdLevelFromName(name.substr(4)));
+  }
   if (name == "cuda") {
     throw Error("--backend cuda: this build holds no CUDA tracker; use --backend cpu");
   }

@@ -26,7 +26,9 @@ struct TrackerSetup {
 };
 
 std::vector<std::string> PresetNames();
-std::vector<std::string> BackendNames();  // those that this build knows, compiled in or not
+// Those that this build knows, compiled in or not. "cpu" takes the best SIMD level that the
+// processor has, "cpu-avx2" that one; the results are the same.
+std::vector<std::string> BackendNames();
 std::vector<std::string> InitializerNames();
 
 // Each throws silt::Error for an unknown name, and MakeBackend for one that is not compiled in or

@@ -64,6 +64,8 @@ class CpuCurrent : public CurrentPyramid {
 
 class CpuBackend : public Backend {
  public:
+  explicit CpuBackend(SimdLevel level) : reduction_(level) {}
+
   std::string name() const override { return "cpu"; }
 
   std::unique_ptr<ReferencePyramid> MakeReference(const Image<float>& intensity,
@@ -91,12 +93,12 @@ class CpuBackend : public Backend {
 
   PhotometricCost Cost(const ImagePair& pair, int level,
                        const SE3d& current_from_reference) const override {
-    return ReduceCost(Images(pair, level), current_from_reference);
+    return reduction_.Cost(Images(pair, level), current_from_reference);
   }
 
   NormalEquations Linearize(const ImagePair& pair, int level,
                             const SE3d& current_from_reference) const override {
-    return ReduceEquations(Images(pair, level), current_from_reference);
+    return reduction_.Equations(Images(pair, level), current_from_reference);
   }
 
  private:
@@ -111,10 +113,14 @@ class CpuBackend : public Backend {
     return {camera, (*reference.intensity)[level], reference.depth_m[level],
             current.intensity[level]};
   }
+
+  CpuReduction reduction_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> MakeCpuBackend() { return std::make_unique<CpuBackend>(); }
+std::unique_ptr<Backend> MakeCpuBackend(SimdLevel level) {
+  return std::make_unique<CpuBackend>(level);
+}
 
 }  // namespace silt::tracker

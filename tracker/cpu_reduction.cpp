@@ -6,130 +6,92 @@
 #include <vector>
 
 #include "silt/core/parallel.h"
-#include "silt/tracker/kernel/sums.h"
-#include "silt/tracker/simd.h"
+#include "silt/tracker/kernel/warp.h"
 
 namespace silt::tracker {
 namespace {
 
-using Batch = FloatBatch;
-using BatchMask = kernel::Mask<Batch>;
-
 // Rows of a tile: the unit of work of a thread, and of the order of summation.
 constexpr int kTileRows = 8;
 
-double LaneSum(const Batch& batch) {
-  alignas(64) float lanes[kLanes];
-  batch.store_aligned(lanes);
-  double sum = 0;
-  for (float lane : lanes) sum += double(lane);
-  return sum;
+simd::Kernels KernelsOf(SimdLevel level) {
+#if defined(__x86_64__)
+  if (level == SimdLevel::kAvx512) return simd::Avx512Kernels();
+  if (level == SimdLevel::kAvx2) return simd::Avx2Kernels();
+#endif
+  SILT_CHECK(level == SimdLevel::kBaseline);
+  return simd::BaselineKernels();
 }
 
-// The sums of a row are those of its lanes, in single precision; these add up rows and tiles.
-void AddTo(PhotometricCost* total, const kernel::CostSums<Batch>& row) {
-  total->sum += 0.5 * LaneSum(row.squares);
-  total->pixels += std::int64_t(LaneSum(row.count));
+simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_reference) {
+  const kernel::Warp<float> warp(kernel::Warp<double>(current_from_reference, images.camera));
+  const Vec3f* r = warp.rotation.row;
+  const Vec3f& t = warp.translation;
+  return {images.camera.width,
+          images.camera.height,
+          images.reference_intensity.data(),
+          images.reference_depth_m.data(),
+          images.current_intensity.data(),
+          {r[0].x, r[0].y, r[0].z, r[1].x, r[1].y, r[1].z, r[2].x, r[2].y, r[2].z},
+          {t.x, t.y, t.z},
+          warp.camera.fx,
+          warp.camera.fy,
+          warp.camera.cx,
+          warp.camera.cy,
+          warp.inverse_fx,
+          warp.inverse_fy};
 }
 
-void AddTo(NormalEquations* total, const kernel::Sums<Batch>& row) {
-  for (int i = 0; i < kernel::kHessianSize; ++i) total->hessian[i] += LaneSum(row.hessian[i]);
-  for (int i = 0; i < kernel::kGradientSize; ++i) total->gradient[i] += LaneSum(row.gradient[i]);
-  AddTo(&total->cost, row.cost);
-}
+using Sums = std::array<double, simd::kSumCount>;
 
-void AddTo(PhotometricCost* total, const PhotometricCost& tile) {
-  total->sum += tile.sum;
-  total->pixels += tile.pixels;
-}
-
-void AddTo(NormalEquations* total, const NormalEquations& tile) {
-  for (int i = 0; i < kernel::kHessianSize; ++i) total->hessian[i] += tile.hessian[i];
-  for (int i = 0; i < kernel::kGradientSize; ++i) total->gradient[i] += tile.gradient[i];
-  AddTo(&total->cost, tile.cost);
-}
-
-// Batch k of a row; lanes beyond its end are 0, which as a depth is no measurement.
-Batch LoadRow(const float* row, int x, int width) {
-  if (x + kLanes <= width) return Batch::load_unaligned(row + x);
-  alignas(64) float lanes[kLanes] = {};
-  std::copy(row + x, row + width, lanes);
-  return Batch::load_aligned(lanes);
-}
-
-Batch LaneIndices() {
-  alignas(64) float lanes[kLanes];
-  for (int i = 0; i < kLanes; ++i) lanes[i] = float(i);
-  return Batch::load_aligned(lanes);
-}
-
-struct LevelKernel {
-  explicit LevelKernel(const LevelImages& level, const SE3d& current_from_reference)
-      : images(level),
-        warp(kernel::Warp<double>(current_from_reference, level.camera)),
-        sampler{level.current_intensity.data(), level.camera.width, level.camera.height} {}
-
-  kernel::ReferencePixel<Batch> Pixels(int x, int y) const {
-    const int width = images.camera.width;
-    return {Batch(float(x)) + lane_indices, Batch(float(y)),
-            LoadRow(images.reference_depth_m.row(y), x, width),
-            LoadRow(images.reference_intensity.row(y), x, width)};
+// Adds the lanes of a tile in order.
+void AddTo(Sums* total, const simd::LaneSums& tile) {
+  for (int k = 0; k < simd::kSumCount; ++k) {
+    for (const double lane : tile.value[k]) (*total)[k] += lane;
   }
+}
 
-  kernel::CostSums<Batch> CostOfRow(int y) const {
-    kernel::CostSums<Batch> sums;
-    for (int x = 0; x < images.camera.width; x += kLanes) {
-      BatchMask valid;
-      const Batch residual = kernel::Residual(warp, sampler, Pixels(x, y), &valid);
-      sums.Add(residual, valid);
-    }
-    return sums;
-  }
-
-  kernel::Sums<Batch> EquationsOfRow(int y) const {
-    kernel::Sums<Batch> sums;
-    for (int x = 0; x < images.camera.width; x += kLanes) {
-      sums.Add(kernel::Linearize(warp, sampler, Pixels(x, y)));
-    }
-    return sums;
-  }
-
-  const LevelImages& images;
-  kernel::Warp<Batch> warp;
-  BatchSampler sampler;
-  Batch lane_indices = LaneIndices();
-};
-
-// Adds sums_of_row(y) over all rows: tile by tile in parallel, then the tiles in order.
-template <typename Total, typename SumsOfRow>
-Total ReduceRows(int rows, const SumsOfRow& sums_of_row) {
-  std::vector<Total> tiles((rows + kTileRows - 1) / kTileRows);
-  ParallelFor(int(tiles.size()), [&](int tile) {
-    const int end = std::min(rows, (tile + 1) * kTileRows);
-    for (int y = tile * kTileRows; y < end; ++y) AddTo(&tiles[tile], sums_of_row(y));
+// Sums over all rows: tile by tile in parallel, then the tiles in order.
+Sums Reduce(simd::AddRows add_rows, const LevelImages& images, const SE3d& current_from_reference) {
+  Sums total{};
+  const int rows = images.camera.height;
+  // No pixel of a smaller image has four pixels around it.
+  if (images.camera.width < 2 || rows < 2) return total;
+  const simd::LevelView view = ViewOf(images, current_from_reference);
+  std::vector<Sums> tiles((rows + kTileRows - 1) / kTileRows);
+  ParallelFor(int(tiles.size()), [&](int i) {
+    simd::LaneSums tile;
+    add_rows(view, i * kTileRows, std::min(rows, (i + 1) * kTileRows), &tile);
+    AddTo(&tiles[i], tile);
   });
-  Total total;
-  for (const Total& tile : tiles) AddTo(&total, tile);
+  for (const Sums& tile : tiles) {
+    for (int k = 0; k < simd::kSumCount; ++k) total[k] += tile[k];
+  }
   return total;
 }
 
-// No pixel of a smaller image has four pixels around it.
-bool HoldsTaps(const PinholeCamera& camera) { return camera.width >= 2 && camera.height >= 2; }
+PhotometricCost CostOf(const Sums& sums) {
+  return {0.5 * sums[simd::kSquaresSum], std::int64_t(sums[simd::kCountSum])};
+}
 
 }  // namespace
 
-PhotometricCost ReduceCost(const LevelImages& images, const SE3d& current_from_reference) {
-  if (!HoldsTaps(images.camera)) return {};
-  const LevelKernel level(images, current_from_reference);
-  return ReduceRows<PhotometricCost>(images.camera.height,
-                                     [&](int y) { return level.CostOfRow(y); });
+CpuReduction::CpuReduction(SimdLevel level) : kernels_(KernelsOf(level)) {}
+
+PhotometricCost CpuReduction::Cost(const LevelImages& images,
+                                   const SE3d& current_from_reference) const {
+  return CostOf(Reduce(kernels_.add_cost, images, current_from_reference));
 }
 
-NormalEquations ReduceEquations(const LevelImages& images, const SE3d& current_from_reference) {
-  if (!HoldsTaps(images.camera)) return {};
-  const LevelKernel level(images, current_from_reference);
-  return ReduceRows<NormalEquations>(images.camera.height,
-                                     [&](int y) { return level.EquationsOfRow(y); });
+NormalEquations CpuReduction::Equations(const LevelImages& images,
+                                        const SE3d& current_from_reference) const {
+  const Sums sums = Reduce(kernels_.add_equations, images, current_from_reference);
+  NormalEquations equations;
+  std::copy_n(sums.begin(), equations.hessian.size(), equations.hessian.begin());
+  std::copy_n(sums.begin() + equations.hessian.size(), equations.gradient.size(),
+              equations.gradient.begin());
+  equations.cost = CostOf(sums);
+  return equations;
 }
 
 }  // namespace silt::tracker

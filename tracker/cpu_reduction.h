@@ -6,6 +6,8 @@
 #include "silt/core/image.h"
 #include "silt/core/se3.h"
 #include "silt/tracker/normal_equations.h"
+#include "silt/tracker/simd/kernels.h"
+#include "silt/tracker/simd_level.h"
 
 namespace silt::tracker {
 
@@ -17,8 +19,16 @@ struct LevelImages {
   const Image<float>& current_intensity;
 };
 
-// Sums over the pixels of a level in single precision, rows added in double precision and in order.
-PhotometricCost ReduceCost(const LevelImages& images, const SE3d& current_from_reference);
-NormalEquations ReduceEquations(const LevelImages& images, const SE3d& current_from_reference);
+// The sums over a level's pixels by one instruction set.
+class CpuReduction {
+ public:
+  explicit CpuReduction(SimdLevel level);
+
+  PhotometricCost Cost(const LevelImages& images, const SE3d& current_from_reference) const;
+  NormalEquations Equations(const LevelImages& images, const SE3d& current_from_reference) const;
+
+ private:
+  simd::Kernels kernels_;
+};
 
 }  // namespace silt::tracker

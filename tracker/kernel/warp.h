@@ -22,6 +22,7 @@ struct Warp {
   Pinhole<T> camera;
   T inverse_fx, inverse_fy;
 
+  Warp() = default;
   SILT_HOST_DEVICE Warp(const SE3<T>& current_from_reference, const Pinhole<T>& pinhole)
       : rotation(current_from_reference.rotation.Matrix()),
         translation(current_from_reference.translation),

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/tracker/simd_level.h"
+
+#include <gtest/gtest.h>
+
+#include "analytic_room.h"
+#include "silt/core/error.h"
+#include "silt/tracker/cpu_reduction.h"
+
+namespace silt::tracker {
+namespace {
+
+TEST(SimdLevel, EveryProcessorHasTheBaseline) {
+  EXPECT_EQ(SupportedSimdLevels().front(), SimdLevel::kBaseline);
+  EXPECT_EQ(BestSimdLevel(), SupportedSimdLevels().back());
+}
+
+TEST(SimdLevel, NamesAreReadBack) {
+  for (const SimdLevel level : SupportedSimdLevels()) {
+    EXPECT_EQ(SimdLevelFromName(Name(level)), level);
+  }
+  EXPECT_EQ(SimdLevelFromName("auto"), BestSimdLevel());
+  EXPECT_THROW(SimdLevelFromName("mmx"), Error);
+}
+
+// A width that leaves lanes of a block and of every batch empty, and one that leaves none.
+TEST(SimdLevel, AllGiveTheSameBits) {
+  for (const int width : {160, 171, 339}) {
+    const PinholeCamera camera{120, 125, 0.5 * (width - 1), 40, width, 83};
+    const SE3d motion = SE3d::Exp({{0.02, -0.03, 0.05}, {0.05, -0.02, 0.04}});
+    const View reference = RenderRoom({}, camera), current = RenderRoom(motion.Inverse(), camera);
+    const LevelImages images{camera, reference.intensity, reference.depth_m, current.intensity};
+    const CpuReduction baseline(SimdLevel::kBaseline);
+    const NormalEquations expected = baseline.Equations(images, SE3d{});
+    EXPECT_GT(expected.cost.pixels, width * 83 / 2);
+    EXPECT_EQ(baseline.Cost(images, SE3d{}), expected.cost);
+    for (const SimdLevel level : SupportedSimdLevels()) {
+      const CpuReduction reduction(level);
+      EXPECT_EQ(reduction.Equations(images, SE3d{}), expected) << Name(level) << " " << width;
+      EXPECT_EQ(reduction.Cost(images, SE3d{}), expected.cost) << Name(level) << " " << width;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace silt::tracker

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/tracker/simd/row_kernel.h"
+
+namespace silt::tracker::simd {
+
+Kernels Avx2Kernels() {
+  using Rows = RowKernel<xsimd::avx2>;
+  return {Rows::AddEquations, Rows::AddCost};
+}
+
+}  // namespace silt::tracker::simd

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "silt/tracker/simd/level_view.h"
+
+namespace silt::tracker::simd {
+
+// Functions that add the sums of rows [begin, end) of a level.
+using AddRows = void (*)(const LevelView& view, int begin, int end, LaneSums* sums);
+
+// What one instruction set offers; all of them give the same bits.
+struct Kernels {
+  AddRows add_equations;
+  AddRows add_cost;  // Σr² and the count alone
+};
+
+// Each stands in a file of its own, compiled for that instruction set alone.
+Kernels BaselineKernels();  // what every processor of the architecture has: SSE2 on x86-64
+Kernels Avx2Kernels();
+Kernels Avx512Kernels();
+
+}  // namespace silt::tracker::simd

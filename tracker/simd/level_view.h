@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the files that are compiled once per instruction set share with the rest: plain data and
+// plain functions. An inline function or a template used on both sides would be one symbol with two
+// bodies, of which the linker keeps one, perhaps that of an instruction set which the processor
+// lacks.
+namespace silt::tracker::simd {
+
+// Pixels of a row are summed in this many lanes, x mod kLanes, whatever the width of the
+// processor's registers: every instruction set gives the same bits.
+inline constexpr int kLanes = 16;
+
+// One level of a pair of images, row by row without padding, with a pose and a camera.
+struct LevelView {
+  int width, height;  // at least 2×2
+  const float* reference_intensity;
+  const float* reference_depth_m;
+  const float* current_intensity;
+  float rotation[9], translation[3];  // current_from_reference, row by row
+  float fx, fy, cx, cy, inverse_fx, inverse_fy;
+};
+
+// 21 of JᵀJ, its upper triangle row by row, 6 of Jᵀr, Σr², and the number of pixels.
+inline constexpr int kSquaresSum = 27, kCountSum = 28, kSumCount = 29;
+
+// Sums over some rows, lane by lane: single precision within a row, double from row to row.
+struct LaneSums {
+  double value[kSumCount][kLanes] = {};
+};
+
+}  // namespace silt::tracker::simd

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "silt/tracker/simd/batch.h"
+// The kernels use what batch.h declares.
+#include "silt/tracker/kernel/residual.h"
+#include "silt/tracker/simd/kernels.h"
+
+namespace silt::tracker::simd {
+
+// The sums of rows for one instruction set. Everything here has Arch in its name, for the reason
+// told in level_view.h. A row is worked off in chunks that stay in the first-level cache: first the
+// residuals and Jacobians of all pixels, then their products, with the sums in registers.
+template <typename Arch>
+class RowKernel {
+ public:
+  static void AddEquations(const LevelView& view, int begin, int end, LaneSums* sums) {
+    const RowKernel kernel(view);
+    for (int y = begin; y < end; ++y) {
+      RowSums row;
+      for (int x = 0; x < kernel.padded_width_; x += kChunk) kernel.AddChunk(x, y, &row);
+      for (int k = 0; k < kSumCount; ++k) Add(row.value[k], sums->value[k]);
+    }
+  }
+
+  static void AddCost(const LevelView& view, int begin, int end, LaneSums* sums) {
+    const RowKernel kernel(view);
+    for (int y = begin; y < end; ++y) {
+      RowSums row;
+      kernel.AddCostOfRow(y, &row);
+      Add(row.value[kSquaresSum], sums->value[kSquaresSum]);
+      Add(row.value[kCountSum], sums->value[kCountSum]);
+    }
+  }
+
+ private:
+  using Batch = xsimd::batch<float, Arch>;
+  static constexpr int kBatch = int(Batch::size);
+  static constexpr int kChunk = 20 * kLanes;  // pixels
+  static constexpr int kProducts = kCountSum;
+  // AVX-512 keeps all 28 sums in its 32 registers; others have 16 and go over a chunk twice.
+  static constexpr int kProductsAtOnce = kBatch == 16 ? kProducts : kProducts / 2;
+
+  // The columns of J, and r: 0 where there is no residual.
+  struct Chunk {
+    alignas(64) float column[7][kChunk];
+  };
+  struct RowSums {
+    alignas(64) float value[kSumCount][kLanes] = {};
+  };
+
+  explicit RowKernel(const LevelView& view)
+      : view_(view),
+        warp_(MakeWarp(view)),
+        sampler_{view.current_intensity, view.width, view.height},
+        columns_(Columns()),
+        padded_width_((view.width + kLanes - 1) / kLanes * kLanes) {}
+
+  static kernel::Warp<Batch> MakeWarp(const LevelView& view) {
+    kernel::Warp<Batch> warp;
+    for (int i = 0; i < 3; ++i) {
+      const float* row = view.rotation + 3 * i;
+      warp.rotation.row[i] = {Batch(row[0]), Batch(row[1]), Batch(row[2])};
+    }
+    const float* t = view.translation;
+    warp.translation = {Batch(t[0]), Batch(t[1]), Batch(t[2])};
+    warp.camera = {Batch(view.fx), Batch(view.fy), Batch(view.cx),
+                   Batch(view.cy), view.width,     view.height};
+    warp.inverse_fx = Batch(view.inverse_fx);
+    warp.inverse_fy = Batch(view.inverse_fy);
+    return warp;
+  }
+
+  static Batch Columns() {
+    alignas(64) float columns[kBatch];
+    for (int i = 0; i < kBatch; ++i) columns[i] = float(i);
+    return Batch::load_aligned(columns);
+  }
+
+  // Pixels [x, x + kBatch) of a row; those beyond its end are 0, which as a depth is no
+  // measurement.
+  [[gnu::always_inline]] static Batch Load(const float* row, int x, int width) {
+    if (x + kBatch <= width) return Batch::load_unaligned(row + x);
+    alignas(64) float lanes[kBatch] = {};
+    for (int i = 0; x + i < width; ++i) lanes[i] = row[x + i];
+    return Batch::load_aligned(lanes);
+  }
+
+  [[gnu::always_inline]] kernel::ReferencePixel<Batch> Pixels(int x, int y) const {
+    return {Batch(float(x)) + columns_, Batch(float(y)),
+            Load(view_.reference_depth_m + y * view_.width, x, view_.width),
+            Load(view_.reference_intensity + y * view_.width, x, view_.width)};
+  }
+
+  void AddChunk(int begin, int y, RowSums* row) const {
+    const int end = begin + kChunk < padded_width_ ? begin + kChunk : padded_width_;
+    Chunk chunk;
+    LinearizeChunk(begin, end, y, &chunk, row);
+    for (int lane = 0; lane < kLanes; lane += kBatch) {
+      AddProducts<0>(chunk, lane, end - begin, row, FirstProducts{});
+      if constexpr (kProductsAtOnce < kProducts) {
+        AddProducts<kProductsAtOnce>(chunk, lane, end - begin, row, FirstProducts{});
+      }
+    }
+  }
+
+  [[gnu::flatten]] void LinearizeChunk(int begin, int end, int y, Chunk* chunk,
+                                       RowSums* row) const {
+    for (int x = begin; x < end; x += kBatch) {
+      const kernel::LinearizedResidual<Batch> pixel =
+          kernel::Linearize(warp_, sampler_, Pixels(x, y));
+      for (int i = 0; i < 6; ++i) pixel.jacobian[i].store_aligned(chunk->column[i] + (x - begin));
+      pixel.residual.store_aligned(chunk->column[6] + (x - begin));
+      Add(Select(pixel.valid, Batch(1.0f), Batch(0.0f)), row->value[kCountSum] + x % kLanes);
+    }
+  }
+
+  // Adds the products First + K… of the lanes [lane, lane + kBatch).
+  using FirstProducts = std::make_integer_sequence<int, kProductsAtOnce>;
+  template <int First, int... K>
+  static void AddProducts(const Chunk& chunk, int lane, int pixels, RowSums* row,
+                          std::integer_sequence<int, K...>) {
+    Batch sums[] = {Batch::load_aligned(row->value[First + K] + lane)...};
+    for (int x = lane; x < pixels; x += kLanes) {
+      const auto column = [&](int i) { return Batch::load_aligned(chunk.column[i] + x); };
+      ((sums[K] = sums[K] + column(Left(First + K)) * column(Right(First + K))), ...);
+    }
+    (sums[K].store_aligned(row->value[First + K] + lane), ...);
+  }
+
+  // The columns whose product belongs to sum k: see kSquaresSum.
+  static constexpr int Left(int k) {
+    if (k >= 21) return k - 21;
+    int row = 0;
+    for (; k >= 6 - row; ++row) k -= 6 - row;
+    return row;
+  }
+  static constexpr int Right(int k) {
+    if (k >= 21) return 6;
+    int row = 0;
+    for (; k >= 6 - row; ++row) k -= 6 - row;
+    return row + k;
+  }
+
+  [[gnu::flatten]] void AddCostOfRow(int y, RowSums* row) const {
+    for (int x = 0; x < padded_width_; x += kBatch) {
+      kernel::Mask<Batch> valid;
+      const Batch residual = kernel::Residual(warp_, sampler_, Pixels(x, y), &valid);
+      Add(residual * residual, row->value[kSquaresSum] + x % kLanes);
+      Add(Select(valid, Batch(1.0f), Batch(0.0f)), row->value[kCountSum] + x % kLanes);
+    }
+  }
+
+  static void Add(const Batch& batch, float* sum) {
+    (Batch::load_aligned(sum) + batch).store_aligned(sum);
+  }
+  static void Add(const float* row, double* sum) {
+    for (int i = 0; i < kLanes; ++i) sum[i] += double(row[i]);
+  }
+
+  const LevelView& view_;
+  const kernel::Warp<Batch> warp_;
+  const BatchSampler<Arch> sampler_;
+  const Batch columns_;  // 0, 1, 2, …
+  const int padded_width_;
+};
+
+}  // namespace silt::tracker::simd
