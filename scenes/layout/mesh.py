@@ -41,13 +41,6 @@ class Mesh:
         self.face(material, rings[0][::-1])
         self.face(material, rings[-1])
 
-    def prism(self, material, outline, low, high):
-        """The polygon `outline` of (y, z), anticlockwise seen from +x, swept from x = low to high."""
-        self.face(material, [(high, y, z) for y, z in outline])
-        self.face(material, [(low, y, z) for y, z in outline[::-1]])
-        for (y0, z0), (y1, z1) in zip(outline, outline[1:] + outline[:1]):
-            self.face(material, [(low, y0, z0), (low, y1, z1), (high, y1, z1), (high, y0, z0)])
-
     def bounds(self):
         return [(min(p[k] for p in self.points), max(p[k] for p in self.points)) for k in range(3)]
 

@@ -8,10 +8,11 @@ _CLOTHS = ("#982824", "#1c3e6e", "#e2c45c", "#245c46", "#e8e4d6", "#323034", "#c
            "#7896aa", "#ced4cc", "#621e30", "#1e6e78")
 
 
-def add_surfaces(scene, surfaces):
-    """surfaces: name -> (texture, tile in metres or None, colour or None)."""
+def add_surfaces(scene, surfaces, coats=None):
+    """surfaces: name -> (texture, tile in metres or None, colour or None); coats: name -> keys of what shines."""
     for name, (texture, tile, color) in surfaces.items():
-        scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg", tile_m=tile)
+        scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg", tile_m=tile,
+                    **(coats or {}).get(name, {}))
 
 
 def add_pictures(scene, textures):

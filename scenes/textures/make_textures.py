@@ -16,6 +16,7 @@ from books import BOOKS
 from home import HOME
 from paintings import PAINTINGS
 from paper import SHEETS
+from school import SCHOOL
 from screens import SCREENS
 from surfaces import SURFACES
 from wall import WALL
@@ -34,7 +35,7 @@ def save(name, image):
 
 
 def main(names):
-    makers = {**SURFACES, **HOME, **SHEETS, **BOOKS, **WALL, **PAINTINGS, **SCREENS}
+    makers = {**SURFACES, **HOME, **SHEETS, **BOOKS, **WALL, **PAINTINGS, **SCHOOL, **SCREENS}
     unknown = sorted(set(names) - set(makers))
     if unknown:
         sys.exit(f"make_textures.py: no such texture: {', '.join(unknown)}")

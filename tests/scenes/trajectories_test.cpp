@@ -99,7 +99,7 @@ TEST(ShippedPathsTest, EveryRoomHasACalmAndAFastOne) {
     calm[path.scene] += path.name == "calm" || path.name == "desk";
     fast[path.scene] += path.name == "fast";
   }
-  for (const std::string scene : {"livingroom"}) {
+  for (const std::string scene : {"livingroom", "office", "stairwell"}) {
     EXPECT_EQ(calm[scene], 1) << scene;
     EXPECT_EQ(fast[scene], 1) << scene;
   }

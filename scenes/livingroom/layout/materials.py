@@ -41,14 +41,27 @@ _SURFACES = {
     "glazed": ("plastic", (0.2, 0.2), "#e6e0d0"),
     "board": ("cardboard", (0.4, 0.4), "#d8d4cc"),
 }
+# What shines, seen with --specular or --light path.
+_COATS = {
+    "parquet": {"specular": 0.04, "roughness": 0.35},
+    "marble": {"specular": 0.05, "roughness": 0.2},
+    "oak": {"specular": 0.04, "roughness": 0.45},
+    "walnut": {"specular": 0.04, "roughness": 0.45},
+    "dark wood": {"specular": 0.05, "roughness": 0.15},
+    "leather": {"specular": 0.04, "roughness": 0.45},
+    "glazed": {"specular": 0.05, "roughness": 0.15},
+    "glazed blue": {"specular": 0.05, "roughness": 0.15},
+    "brass": {"metallic": 1, "roughness": 0.35},
+}
 _PICTURES = ("rug", "painting_sea", "painting_field", "painting_still_life", "painting_abstract", "botanical_1", "botanical_2",
              "photo_1", "photo_2", "music", "magazine_1", "magazine_2", "poster_map", "notebook", "paper_4", "paper_8")
 
 
 def add_materials(scene):
-    add_surfaces(scene, _SURFACES)
+    add_surfaces(scene, _SURFACES, _COATS)
     add_pictures(scene, _PICTURES)
     add_books(scene)
+    scene.table("material", name="looking glass", color="#c4c8c8", mirror=True)
     scene.table("material", name="clock face", texture="../textures/clock.png", cutout=True)
     for name, color, texture, glow in (("garden", "#000000", "garden", 0.34), ("film", "#202020", "film", 0.3)):
         scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg", emission=(glow, glow, glow))

@@ -39,6 +39,7 @@ def _sideboard(scene):
             ("botanical 2", 1.55, 1.26, 0.28, 0.38, "dark wood"), ("photo 2", 2.72, 1.86, 0.33, 0.26, "walnut"),
             ("photo 1", 2.72, 1.5, 0.33, 0.26, "dark wood"), ("painting sea", 0.95, 1.5, 0.56, 0.4, "brass"))):
         framed(scene, f"gallery {i}", picture, (w, h), EAST, (x, 0, z), frame, 0.022)
+    framed(scene, "looking glass", "looking glass", (0.3, 0.95), EAST, (3.2, 0, 0.95), "brass", 0.03)
     scene.model("tall plant", "plant", Place(6.15, 4.4 - 0.02), size=(0.5, 0.45, 1.0))
 
 
