@@ -21,6 +21,8 @@ void AddRenderCommand(CLI::App& program, const Invocation& invocation);
 void AddTrackCommand(CLI::App& program, const Invocation& invocation);
 void AddEvaluateCommand(CLI::App& program, const Invocation& invocation);
 void AddExperimentCommand(CLI::App& program, const Invocation& invocation);
+void AddSceneCommand(CLI::App& program, const Invocation& invocation);
+void AddPathCommand(CLI::App& program, const Invocation& invocation);
 void AddInfoCommand(CLI::App& program, const Invocation& invocation);
 
 // Subcommands of `experiment`.

@@ -13,6 +13,7 @@
 #include "silt/experiments/option_checks.h"
 #include "silt/experiments/output.h"
 #include "silt/experiments/output_folder.h"
+#include "silt/experiments/path_facts.h"
 #include "silt/experiments/progress.h"
 #include "silt/experiments/simulation_options.h"
 
@@ -22,6 +23,7 @@ namespace {
 struct Options {
   SimulationOptions simulation;
   std::string out;
+  bool allow_crossing = false;
 };
 
 void Run(const Options& options, const Invocation& invocation) {
@@ -31,6 +33,7 @@ void Run(const Options& options, const Invocation& invocation) {
   const World world = LoadWorld(options.simulation.scene, options.simulation.trajectory,
                                 options.simulation.Lighting());
   const int frames = int(TruePoses(world, plan.stretch).size());
+  if (!options.allow_crossing) RequireNoCrossing(world, plan.stretch);
   {
     Progress progress(frames);
     TumSequenceWriter writer(folder.path(), plan.options.camera);
@@ -55,6 +58,8 @@ void AddRenderCommand(CLI::App& program, const Invocation& invocation) {
   AddSimulationOptions(*command, options->simulation, true);
   command->add_option("--out", options->out, "Folder to make; refused where others' files lie")
       ->required();
+  command->add_flag("--allow-crossing", options->allow_crossing,
+                    "Render also where the camera passes through surfaces of the scene");
   command->footer(
       "The folder holds rgb/ depth/ (16 bit, 5000 per metre, along the optical axis), rgb.txt\n"
       "depth.txt associations.txt groundtruth.txt camera.txt and manifest.json. The pictures are\n"
