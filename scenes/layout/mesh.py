@@ -37,9 +37,9 @@ class Mesh:
         for low, high in zip(rings, rings[1:]):
             for k in range(sides):
                 m = (k + 1) % sides
-                self.face(material, [low[k], low[m], high[m], high[k]])
-        self.face(material, rings[0][::-1])
-        self.face(material, rings[-1])
+                self.face(material, [low[m], low[k], high[k], high[m]])
+        self.face(material, rings[0])
+        self.face(material, rings[-1][::-1])
 
     def bounds(self):
         return [(min(p[k] for p in self.points), max(p[k] for p in self.points)) for k in range(3)]

@@ -13,12 +13,14 @@ HEAD = """# SPDX-FileCopyrightText: 2026 the silt authors
 """
 
 
-def write_scene(folder, head, parts):
+def write_scene(folder, head, parts, lift=0.0):
     """Lets each of `parts` add to the scene; writes folder/scene.toml under `head` and the scene's own meshes.
+
+    Everything stands `lift` metres higher than the plan says, whose z = 0 need not be the lowest floor.
 
     With --credits it prints the models' table instead, with --check it says whether the files are what it would write.
     """
-    scene = SceneWriter()
+    scene = SceneWriter(lift)
     for key, (file, _) in ARCHIVES.items():
         scene.table("archive", id=key, file=FOLDER + file)
     for add in parts:

@@ -42,12 +42,17 @@ class Place:
 
 
 class SceneWriter:
-    def __init__(self):
+    def __init__(self, lift=0.0):
+        self.lift = lift
         self.parts = []
         self.used = set()  # the keys of the catalogue's models
         self.meshes = {}   # file -> Mesh, our own
 
     def table(self, kind, comment=None, **keys):
+        for key in ("at", "corner", "center"):
+            if self.lift and key in keys:
+                x, y, z = keys[key]
+                keys[key] = (x, y, z + self.lift)
         self.parts.append((kind, comment, {k: v for k, v in keys.items() if v is not None}))
 
     def box(self, name, material, size, place, at=(0, 0, 0), yaw_deg=0.0, faces=None):

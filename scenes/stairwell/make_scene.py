@@ -17,7 +17,7 @@ from plan import write_scene  # noqa: E402
 from stairs import add_stairs  # noqa: E402
 
 HEAD = """# The stairs and first floor of an old school: a hall of 5.9 m x 2.8 m over three storeys, a corridor of 18 m x 2.4 m.
-# x east, y north, z up, the corridor's floor at z = 0. Written by make_scene.py: change the plan there.
+# x east, y north, z up, the lowest floor at z = 0, the corridor's at 3.3. Written by make_scene.py: change the plan there.
 
 name = "Stairwell"
 exposure = 2
@@ -28,5 +28,7 @@ horizon = [0.3, 0.38, 0.5]
 ground = [0.1, 0.1, 0.08]
 """
 
+LIFT = 3.3  # the plan's z = 0 is the corridor's floor, the file's that of the cellar
+
 if __name__ == "__main__":
-    write_scene(HERE, HEAD, (add_materials, add_hall, add_stairs, add_corridor, add_fittings))
+    write_scene(HERE, HEAD, (add_materials, add_hall, add_stairs, add_corridor, add_fittings), LIFT)

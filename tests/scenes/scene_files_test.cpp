@@ -8,6 +8,7 @@
 
 #include "shipped_scenes.h"
 #include "silt/sim/scene.h"
+#include "silt/sim/scene_check.h"
 
 namespace silt::sim {
 namespace {
@@ -27,12 +28,15 @@ class ShippedSceneTest : public testing::TestWithParam<std::string> {
   }
 };
 
-TEST_P(ShippedSceneTest, LoadsWithoutWarnings) {
+TEST_P(ShippedSceneTest, LoadsAndPassesTheCheck) {
   const Scene scene = LoadScene(ShippedFile(GetParam(), "scene.toml"));
   EXPECT_THAT(scene.warnings, Each(HasSubstr(kIncompleteModel)));
   EXPECT_THAT(scene.instances, Each(Field(&Instance::triangle_count, Gt(0u))));
   EXPECT_FALSE(scene.lights.empty());
   EXPECT_LE(scene.mesh.triangles.size(), 400'000u);
+  for (const SceneFinding& finding : CheckScene(scene)) {
+    EXPECT_FALSE(finding.is_error) << finding.message;
+  }
 }
 
 // A folder says where it comes from, and shows itself in a small picture.

@@ -9,7 +9,11 @@
 #include <vector>
 
 #include "shipped_scenes.h"
+#include "silt/sim/path_check.h"
 #include "silt/sim/path_file.h"
+#include "silt/sim/ray_packet.h"
+#include "silt/sim/ray_tracer.h"
+#include "silt/sim/scene.h"
 
 namespace silt::sim {
 namespace {
@@ -86,6 +90,24 @@ TEST_P(ShippedPathTest, RevisitsAPlace) {
     }
   }
   EXPECT_TRUE(revisits);
+}
+
+// Clear by half a head; and whoever is inside meets something all round, above and below.
+TEST_P(ShippedPathTest, StaysInsideAndClear) {
+  if (!FurnitureIsInstalled()) GTEST_SKIP() << "sweethome3d-furniture is not installed";
+  const Scene scene = LoadScene(ShippedFile(GetParam().scene, "scene.toml"));
+  const CameraPath path = Load();
+  for (const PathContact& contact : CheckPath(path, scene, {.clearance_m = 0.1}).contacts) {
+    ADD_FAILURE() << Describe(contact);
+  }
+  const RayTracer tracer(scene);
+  for (double time_s = 0; time_s < path.duration_s(); time_s += 0.5) {
+    const Vec3f from = path.WorldFromCamera(time_s).translation.Cast<float>();
+    RayPacket rays;
+    const Vec3f ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (int i = 0; i < 6; ++i) rays.Set(i, {from, ways[i], 0, 50});
+    EXPECT_EQ(tracer.Occluded(rays) & 0b111111u, 0b111111u) << "at " << time_s << " s";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedPathTest, testing::ValuesIn(ShippedPaths()),

@@ -70,4 +70,4 @@ def _case(scene, name, y, seed):
 def _ornament(scene, name, place, index):
     key, size = (("vase2", (0.16, 0.16, 0.2)), ("frame2", (0.145, 0.145, 0.199)), ("littlePlant", (0.2, 0.2, 0.2)), ("frame1", None),
                  ("old_jar", (0.19, 0.16, 0.2)), ("littlePlant", (0.18, 0.18, 0.18)))[index % 6]
-    scene.model(name, key, place, (0, -0.02, 0), -10, size=size)
+    scene.model(name, key, place, (0, -0.02, 0.001), -10, size=size)

@@ -41,7 +41,7 @@ def _sofa(scene):
     scene.model("sofa case lamp", "lamp", top, (-0.58, 0, 0))
     book_pile(scene, "sofa case pile", top.child(0.05, 0, 0, 7), 175, 4)
     scene.model("sofa case plant", "bonsai-tree", top, (0.55, 0, 0), 20, size=(0.4, 0.28, 0.36))
-    scene.model("sofa case photograph", "frame2", top, (-0.28, 0, 0), 12)
+    scene.model("sofa case photograph", "frame2", top, (-0.28, 0, 0.001), 12)
 
 
 def _table(scene):
@@ -59,8 +59,8 @@ def _table(scene):
     scene.model("open book", "book", top, (0.4, -0.1, 0), -14)
     scene.model("remote control", "tv-remote-control", top, (-0.12, -0.2, 0), 60)
     scene.model("mug", "coffee-mug", top, (-0.08, 0.22, 0), 30, materials={"White_ceramic": "glazed blue"})
-    scene.model("espresso", "caffe_final", top, (0.27, -0.22, 0))
-    scene.model("newspaper", "newspaper", top, (-0.4, 0.2, 0), 8, size=(0.27, 0.2, 0.012))
+    scene.model("espresso", "caffe_final", top, (0.27, -0.22, 0.001))
+    scene.model("newspaper", "newspaper", top, (-0.38, 0.19, 0.001), 8, size=(0.27, 0.2, 0.012))
 
 
 def _lamps(scene):
@@ -81,7 +81,7 @@ def _television(scene):
     for x in (-0.86, 0.86):
         scene.model(f"speaker {x:+}", "speaker3", stand.child(x, 0.02), size=(0.22, 0.25, 0.72))
     top = stand.child(0, 0, 0.526)
-    scene.model("player", "dvd", top, (-0.3, 0, 0))
+    scene.model("player", "dvd", top, (-0.3, 0, 0.001))
     scene.model("console", "playstation4", top, (0.25, 0, 0), 6)
     scene.model("joystick", "ps4-joystick", top, (0.48, -0.1, 0), 40)
 

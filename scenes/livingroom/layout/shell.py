@@ -35,7 +35,7 @@ def add_shell(scene):
                 materials={"white-door": "cream paint", "white-frame": "white paint", "metal-handle": "brass"})
     scene.model("switch", "switch-whites", NORTH, (4.36, -0.006, 1.05))
     for i, (wall, x) in enumerate(((NORTH, 2.25), (EAST, 3.0), (WEST, 0.62))):
-        scene.model(f"socket {i}", "plug-TypeE-whites", wall, (x, -0.0035, 0.26))
+        scene.model(f"socket {i}", "plug-TypeE-whites", wall, (x, -0.004, 0.26))
     _light(scene)
 
 
@@ -52,17 +52,19 @@ def _south_wall(scene):
 
 def _trim(scene):
     """Skirting, cornice and the rosette."""
-    walls = (("north west", NORTH, 0, HALL_DOOR - 0.9), ("north east", NORTH, HALL_DOOR + 0.9, WIDE), ("east", EAST, 0, DEEP), ("west", WEST, 0, DEEP),
+    walls = (("north west", NORTH, 0, HALL_DOOR - 0.9), ("north east", NORTH, HALL_DOOR + 0.9, WIDE), ("east", EAST, 0, DEEP), ("west", WEST, 1.805, 2.02), ("west 2", WEST, 3.78, 3.875), ("west 3", WEST, 0, 0.435), ("west 4", WEST, 5.245, DEEP),
              ("south", SOUTH, 0, WIDE - FRENCH[1]), ("south west", SOUTH, WIDE - FRENCH[0], WIDE))
     for name, wall, x0, x1 in walls:
-        scene.box(f"skirting {name}", "white paint", (x1 - x0, 0.018, 0.13), wall, ((x0 + x1) / 2, -0.009, 0))
-        scene.box(f"skirting bead {name}", "white paint", (x1 - x0, 0.011, 0.025), wall, ((x0 + x1) / 2, -0.0055, 0.13))
+        for part, deep, tall, z in (("", 0.018, 0.13, 0), ("bead ", 0.011, 0.025, 0.13)):
+            a = x0 + deep if wall in (EAST, WEST) and x0 == 0 else x0      # the others run into the corners
+            b = x1 - deep if wall in (EAST, WEST) and x1 == DEEP else x1
+            scene.box(f"skirting {part}{name}", "white paint", (b - a, deep, tall), wall, ((a + b) / 2, -deep / 2, z))
     for name, wall, length in (("north", NORTH, WIDE), ("south", SOUTH, WIDE), ("east", EAST, DEEP), ("west", WEST, DEEP)):
-        for i, (deep, tall) in enumerate(((0.13, 0.035), (0.085, 0.05), (0.04, 0.05))):
-            z = HEIGHT - sum(step[1] for step in ((0.13, 0.035), (0.085, 0.05), (0.04, 0.05))[:i + 1])
-            scene.box(f"cornice {name} {i}", "ceiling", (length, deep, tall), wall, (length / 2, -deep / 2, z))
-    for radius, tall in ((0.42, 0.012), (0.36, 0.024), (0.2, 0.036), (0.1, 0.05)):
-        scene.cylinder("rosette", "ceiling", radius, tall, Place(2.35, 2.9, HEIGHT - tall), segments=48)
+        for i, (deep, tall, z) in enumerate(((0.13, 0.035, -0.035), (0.085, 0.05, -0.085), (0.04, 0.05, -0.135))):
+            inset = deep if wall in (EAST, WEST) else 0
+            scene.box(f"cornice {name} {i}", "ceiling", (length - 2 * inset, deep, tall), wall, (length / 2, -deep / 2, HEIGHT + z))
+    for i, radius in enumerate((0.42, 0.36, 0.2, 0.1)):
+        scene.cylinder(f"rosette {i}", "ceiling", radius, 0.0125, Place(2.35, 2.9, HEIGHT - 0.0125 * (i + 1)), segments=48)
 
 
 def _casements(scene, name, opening, lights):
@@ -106,7 +108,8 @@ def _balcony(scene):
 
 
 def _light(scene):
-    """Sky and low sun through the windows; a lamp in the middle of the ceiling and bounce from above it."""
+    """Sky and low sun through the windows; the chandelier."""
     scene.table("light", "light", name="sky", center=(3.3, -2.3, 4.6), u=(3.6, 0, 0), v=(0, -0.75, -0.95), radiance=(26, 28.5, 32))
     scene.table("light", name="sun", center=(-3.4, -11.5, 10.6), u=(0.42, -0.21, 0), v=(-0.15, -0.3, -0.35), radiance=(2600, 2200, 1650))
-    scene.table("light", name="ceiling glow", center=(2.35, 2.9, HEIGHT - 0.07), u=(0.16, 0, 0), v=(0, -0.16, 0), radiance=(22, 19, 15))
+    for side, z, v, glow in (("down", 2.24, -0.06, 1.0), ("up", 2.6, 0.06, 0.7)):
+        scene.table("light", name=f"chandelier {side}", center=(2.35, 2.9, z), u=(0.06, 0, 0), v=(0, v, 0), radiance=(120 * glow, 102 * glow, 76 * glow))

@@ -8,8 +8,10 @@ from writer import Place
 
 START, END, WIDE, HEIGHT = WALL, 18.0, 2.4, 3.1
 DADO = 1.35
+PIPES = ((0.09, HEIGHT - 0.16), (0.17, HEIGHT - 0.1))                # y, z of the heating pipes
 NORTH_DOORS = ((2.6, 101), (6.8, 103), (11.0, 105), (15.2, 107))    # x of the middle, the room
 SOUTH_DOORS = ((4.6, 102), (8.8, 104), (13.0, 106), (16.6, 108))
+BUILT_IN = {"north": [(7.78, 9.32), (9.85, 10.45)], "south": [(13.88, 15.72)]}   # what else stands against the tiles
 
 NORTH = Place(0, WIDE, 0, 0)             # walls as seen from inside: local x is x
 SOUTH = Place(0, 0, 0, 180)              # local x is -x
@@ -23,13 +25,13 @@ def add_corridor(scene):
     for name, wall, left in (("north", NORTH, START), ("south", SOUTH, -END)):
         scene.quad(f"tiles {name}", "tiles", wall, (left, 0, 0), (long_, 0, 0), (0, 0, DADO))
         scene.quad(f"wall {name}", "wall", wall, (left, 0, DADO), (long_, 0, 0), (0, 0, HEIGHT - DADO))
-    doors = {"north": [x for x, _ in NORTH_DOORS], "south": [x for x, _ in SOUTH_DOORS]}
-    for name, y in (("north", WIDE - 0.008), ("south", 0.008)):
-        edges = [START, *(e for x in doors[name] for e in (x - 0.5, x + 0.5)), END]
+    for name, y, doors in (("north", WIDE - 0.006, NORTH_DOORS), ("south", 0.006, SOUTH_DOORS)):
+        gaps = sorted([(x - 0.5, x + 0.5) for x, _ in doors] + BUILT_IN[name])
+        edges = [START + 0.01, *(edge for gap in gaps for edge in gap), END]
         for i in range(0, len(edges), 2):
             a, b = edges[i], edges[i + 1]
             scene.box(f"tile band {name} {i}", "tile band", (b - a, 0.016, 0.04), Place((a + b) / 2, y, DADO - 0.02))
-            scene.box(f"skirting {name} {i}", "tile band", (b - a, 0.016, 0.1), Place((a + b) / 2, y))
+            scene.box(f"skirting {name} {i}", "tile band", (b - a, 0.016, 0.102), Place((a + b) / 2, y, -0.002))
     for wall, sign, list_ in ((NORTH, 1, NORTH_DOORS), (SOUTH, -1, SOUTH_DOORS)):
         for x, room in list_:
             _door(scene, wall.child(sign * x, 0), room)
@@ -91,13 +93,13 @@ def _lamps(scene):
 def _pipes():
     """Heating pipes under the ceiling along the south wall, with clamps, and one that drops at each radiator."""
     mesh = Mesh()
-    for y, z in ((0.09, HEIGHT - 0.16), (0.17, HEIGHT - 0.1)):
+    for y, z in PIPES:
         mesh.tube("pipe", [(START + 0.01, y, z), (END - 0.01, y, z)], 0.026, 10)
     for i in range(12):
         x = 0.9 + 1.5 * i
-        for z in (HEIGHT - 0.16, HEIGHT - 0.1):
-            mesh.tube("iron", [(x, 0.005, z), (x + 0.03, 0.005, z)], 0.034, 10)
-        mesh.tube("iron", [(x, 0.0, HEIGHT - 0.13), (x, 0.22, HEIGHT - 0.13)], 0.007, 6)
+        for y, z in PIPES:
+            mesh.tube("iron", [(x, y, z), (x + 0.03, y, z)], 0.031, 10)
+        mesh.tube("iron", [(x + 0.015, 0.002, HEIGHT - 0.13), (x + 0.015, 0.22, HEIGHT - 0.13)], 0.007, 6)
     for x in (3.3, 11.4):
         mesh.tube("pipe", [(x, 0.06, 0.75), (x, 0.06, HEIGHT - 0.19)], 0.016, 8)
     return mesh

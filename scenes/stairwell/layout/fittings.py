@@ -12,7 +12,7 @@ from writer import Place
 def add_fittings(scene):
     _boards(scene)
     _lockers(scene, "lockers north", NORTH.child(8.55, -0.2), 5)
-    _lockers(scene, "lockers south", SOUTH.child(-14.9, -0.2), 6)
+    _lockers(scene, "lockers south", SOUTH.child(-14.8, -0.2), 6)
     for i, (wall, x) in enumerate(((SOUTH, -6.75), (NORTH, 13.1), (SOUTH, -2.35))):
         scene.model(f"bench {i}", "cc0/bench", wall.child(x, -0.26), size=(1.5, 0.4, 0.46))
     _coats(scene, SOUTH.child(-6.75, 0))
@@ -71,11 +71,11 @@ def _coats(scene, wall):
 
 
 def _safety(scene):
-    scene.box("hose cabinet", None, (0.6, 0.16, 0.72), NORTH.child(10.15, -0.08), (0, 0, 0.75), faces={
+    scene.box("hose cabinet", None, (0.6, 0.16, 0.72), NORTH.child(10.15, -0.078), (0, 0, 0.75), faces={
         "front": "hose cabinet", **{side: "red" for side in ("top", "bottom", "back", "left", "right")}})
     scene.model("extinguisher", "fireExtinguisher", NORTH.child(1.75, -0.1), (0, 0, 0.55))
     scene.model("extinguisher 2", "fireExtinguisher", SOUTH.child(-15.95, -0.1), (0, 0, 0.55))
-    for i, (wall, x) in enumerate(((NORTH, 3.85), (SOUTH, -12.25))):
+    for i, (wall, x) in enumerate(((NORTH, 3.7), (SOUTH, -13.74))):
         scene.box(f"alarm {i}", "red", (0.09, 0.04, 0.09), wall.child(x, -0.02), (0, 0, 1.42))
         scene.sphere(f"alarm knob {i}", "white paint", 0.018, wall.child(x, -0.04), (0, 0, 1.465), 16)
     for i, x in enumerate((5.4, 12.0)):
@@ -108,5 +108,5 @@ def _odds(scene):
     scene.model("end plant", "yuccaPlant", Place(END - 0.42, 0.45, 0, 30), size=(0.62, 0.6, 1.35))
     scene.model("umbrella", "umbrellaFolded", SOUTH.child(-7.85, -0.12), size=(0.14, 0.14, 0.8))
     scene.model("broom", "broom", NORTH.child(16.45, -0.06), size=(0.3, 0.07, 1.45))
-    scene.model("backpack", "shopping-basket", NORTH.child(13.5, -0.26), (0, 0, 0.46), 20, size=(0.3, 0.24, 0.26))
+    scene.model("backpack", "shopping-basket", NORTH.child(12.1, -0.26), (0, 0, 0), 20, size=(0.3, 0.24, 0.26))
     scene.model("forgotten ball", "ballonFoot", Place(4.05, 0.32))

@@ -42,7 +42,7 @@ def _east_wall(scene):
     middle = (y0 + y1) / 2
     scene.box("threshold", "tread", (WALL, y1 - y0, 0.2), place, (0, middle, -0.2))
     for name, y in (("south", y0 + 0.04), ("north", y1 - 0.04)):
-        scene.box(f"portal post {name}", "oak upright", (WALL + 0.08, 0.08, top), place, (0, y, 0))
+        scene.box(f"portal post {name}", "oak upright", (WALL + 0.08, 0.08, top + 0.01), place, (0, y, -0.01))
     scene.box("portal head", "oak", (WALL + 0.08, y1 - y0 - 0.16, 0.08), place, (0, middle, top - 0.08))
     scene.model("upper door", "door", EAST, (1.4, -0.02, STOREY), materials={"white-door": "door", "white-frame": "door frame", "metal-handle": "steel"})
     scene.model("exit sign", "emergencySign", EAST, (1.4, -0.02, top + 0.1))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Flights of ten steps, their handrails and balusters, as meshes in world coordinates."""
 
-from hall import LANDING_X, NORTH_Y, SOUTH_Y, STOREY, TURN_X
+from hall import LANDING_X, NORTH_Y, SOUTH_Y, STOREY, TURN_X, WEST_X
 from mesh import Mesh
 from writer import Place
 
@@ -50,17 +50,20 @@ def add_stairs(scene):
 def _flight(f):
     mesh = Mesh()
 
+    def face(material, corners):    # anticlockwise from outside for a flight to the east
+        mesh.face(material, corners if f.way > 0 else corners[::-1])
+
     def under(x):
         return f.nose_line(x) - RISE - THICK
 
     for i in range(STEPS):
         a, b, low, high = f.x(i), f.x(i + 1), f.tread(i) - RISE, f.tread(i)
-        mesh.face("riser", [(a, f.y0, low), (a, f.y1, low), (a, f.y1, high), (a, f.y0, high)])
-        mesh.face("tread", [(a, f.y0, high), (a, f.y1, high), (b, f.y1, high), (b, f.y0, high)])
-        for y in (f.y0, f.y1):
-            mesh.face("riser", [(a, y, under(a)), (b, y, under(b)), (b, y, high), (a, y, high)])
+        face("riser", [(a, f.y0, low), (a, f.y0, high), (a, f.y1, high), (a, f.y1, low)])
+        face("tread", [(a, f.y0, high), (b, f.y0, high), (b, f.y1, high), (a, f.y1, high)])
+        for y, order in ((f.y0, 1), (f.y1, -1)):
+            face("riser", [(a, y, under(a)), (b, y, under(b)), (b, y, high), (a, y, high)][::order])
     a, b = f.x(0), f.x(STEPS)
-    mesh.face("soffit", [(a, f.y0, under(a)), (a, f.y1, under(a)), (b, f.y1, under(b)), (b, f.y0, under(b))])
+    face("soffit", [(a, f.y0, under(a)), (a, f.y1, under(a)), (b, f.y1, under(b)), (b, f.y0, under(b))])
     return mesh
 
 
@@ -96,29 +99,34 @@ def _handrails(flights):
         mesh.tube("wood", [(x, wall, z) for x, z in ends[1:3]], 0.022)
         for i in (1, 5, 9):
             x = f.x(i)
-            z, back = f.nose_line(x) + RAIL, wall + (0.07 if f.y0 > 1 else -0.07)
+            z, back = f.nose_line(x) + RAIL, wall + (0.068 if f.y0 > 1 else -0.068)
             mesh.tube("iron", [(x, wall, z - 0.02), (x, wall, z - 0.07), (x, back, z - 0.07)], 0.008, 8)
     for x, levels in ((LANDING_X + 0.3 * GOING, (0, STOREY)), (TURN_X - 0.3 * GOING, (-STOREY / 2, STOREY / 2))):
         for z in levels:
             rail = z + RISE + RAIL
             mesh.tube("wood", [(x, SOUTH_HALF[1] - 0.077, rail), (x, NORTH_HALF[0] + 0.077, rail)], 0.027)
             for y in (1.0, 1.2, 1.4):
-                mesh.tube("iron", [(x, y, z), (x, y, rail - 0.02)], 0.012, 8)
+                mesh.tube("iron", [(x, y, z - 0.01), (x, y, rail - 0.02)], 0.012, 8)
     return mesh
 
 
 def _dado(flights):
     """Painted up to shoulder height, the edge of the paint following the steps along the walls."""
-    mesh, tall = Mesh(), 1.25
+    mesh, tall, band = Mesh(), 1.25, 0.05
+
+    def paint(material, y, ends):
+        """Between two upright lines (x, z from, z to), facing the hall."""
+        (a, a0, a1), (b, b0, b1) = sorted(ends)
+        corners = [(a, y, a0), (b, y, b0), (b, y, b1), (a, y, a1)]
+        mesh.face(material, corners if y > 1 else corners[::-1])
+
     for f in flights.values():
         y = f.y1 - 0.003 if f.y0 > 1 else f.y0 + 0.003
-        a, b = f.x(0), f.x(STEPS)
-        low_a, low_b = f.z - THICK, f.z + RISE * STEPS - THICK
-        high_a, high_b = f.z + tall, f.z + RISE * STEPS + tall
-        mesh.face("dado", [(a, y, low_a), (b, y, low_b), (b, y, high_b), (a, y, high_a)])
-        mesh.face("band", [(a, y, high_a), (b, y, high_b), (b, y, high_b + 0.05), (a, y, high_a + 0.05)])
+        ends = ((f.x(0), f.z), (f.x(STEPS), f.z + RISE * STEPS))
+        paint("dado", y, [(x, z - THICK, z + tall) for x, z in ends])
+        paint("band", y, [(x, z + tall, z + tall + band) for x, z in ends])
     for y in (SOUTH_Y + 0.003, NORTH_Y - 0.003):
-        for x0, x1, z in ((LANDING_X, 0, 0), (LANDING_X, 0, STOREY), (-5.9, TURN_X, -STOREY / 2), (-5.9, TURN_X, STOREY / 2)):
-            mesh.face("dado", [(x0, y, z), (x1, y, z), (x1, y, z + tall), (x0, y, z + tall)])
-            mesh.face("band", [(x0, y, z + tall), (x1, y, z + tall), (x1, y, z + tall + 0.05), (x0, y, z + tall + 0.05)])
+        for x0, x1, z in ((LANDING_X, 0, 0), (LANDING_X, 0, STOREY), (WEST_X, TURN_X, -STOREY / 2), (WEST_X, TURN_X, STOREY / 2)):
+            paint("dado", y, [(x, z, z + tall) for x in (x0, x1)])
+            paint("band", y, [(x, z + tall, z + tall + band) for x in (x0, x1)])
     return mesh
