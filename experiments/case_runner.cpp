@@ -79,6 +79,9 @@ Json RenderPlan::ToJson() const {
             {"samples_per_pixel", options.samples_per_pixel},
             {"exposure_s", options.shutter.exposure_s},
             {"time_samples", options.shutter.time_samples},
+            {"row_time_s", options.shutter.row_time_s},
+            {"filter", options.filter == sim::PixelFilter::kBox ? "box" : "gaussian"},
+            {"pattern", options.pattern == sim::PixelPattern::kShared ? "shared" : "scrambled"},
             {"noise", options.sensor.noise.index() == 0 ? "none" : "handa"},
             {"seeds", noise_seeds.empty() ? std::vector{options.seed} : noise_seeds}};
   json.update(stretch.ToJson());
@@ -93,10 +96,10 @@ void ForEachFrame(const World& world, const RenderPlan& plan,
   RenderedFrame rendered;
   for (const StampedPose& truth : TruePoses(world, plan.stretch)) {
     ThrowIfInterrupted();
-    const Image<Vec3f> linear = renderer.RenderLinear(world.Pose(), truth.time_s);
-    const Image<float> depth_m = renderer.RenderDepth(truth.world_from_camera);
     // Of the whole path, so that a stretch has the noise that it has within the whole.
     const auto index = std::uint32_t(std::llround(truth.time_s * plan.stretch.fps));
+    const Image<Vec3f> linear = renderer.RenderLinear(world.Pose(), truth.time_s, int(index));
+    const Image<float> depth_m = renderer.RenderDepth(world.Pose(), truth.time_s);
     rendered.truth = truth;
     for (const std::uint64_t seed : seeds) {
       rendered.seed = seed;

@@ -12,16 +12,30 @@
 namespace silt::experiments {
 namespace {
 
-// "full", or seconds of at most a frame's time.
+// "full" or a share such as "50%" of a frame's time, or "8ms" or "0.008" seconds of it.
 double ExposureSeconds(const std::string& blur, double fps) {
   if (blur == "full") return 1 / fps;
   char* end = nullptr;
-  const double exposure_s = std::strtod(blur.c_str(), &end);
-  const bool number = !blur.empty() && *end == '\0' && std::isfinite(exposure_s);
-  if (!number || exposure_s < 0 || exposure_s > 1 / fps + 1e-12) {
-    throw Error("--blur: '" + blur + "' is neither full nor seconds from 0 to 1/fps");
+  double exposure_s = std::strtod(blur.c_str(), &end);
+  const std::string unit = blur.empty() ? "?" : end;
+  if (unit == "ms") exposure_s *= 1e-3;
+  if (unit == "%") exposure_s *= 0.01 / fps;
+  const bool known = (unit.empty() || unit == "s" || unit == "ms" || unit == "%") &&
+                     end != blur.c_str() && std::isfinite(exposure_s);
+  if (!known || exposure_s < 0 || exposure_s > 1 / fps + 1e-12) {
+    throw Error("--blur: '" + blur +
+                "' is neither full nor a share such as 50% nor a time from 0 to 1/fps such as 8ms");
   }
   return exposure_s;
+}
+
+// A camera reads a picture before it takes the next one.
+double RowSeconds(double row_time_us, int rows, double fps) {
+  if (1e-6 * row_time_us * rows > 1 / fps + 1e-12) {
+    throw Error("--row-time: " + std::to_string(rows) + " rows take longer than 1/fps; at most " +
+                std::to_string(1e6 / fps / rows) + " is possible");
+  }
+  return 1e-6 * row_time_us;
 }
 
 }  // namespace
@@ -33,6 +47,9 @@ RenderPlan SimulationOptions::Plan() const {
   plan.options.samples_per_pixel = samples_per_pixel;
   plan.options.shutter.exposure_s = ExposureSeconds(blur, fps);
   plan.options.shutter.time_samples = time_samples;
+  plan.options.shutter.row_time_s = RowSeconds(row_time_us, plan.options.camera.height, fps);
+  if (filter == "gaussian") plan.options.filter = sim::PixelFilter::kGaussian;
+  if (pattern == "scrambled") plan.options.pattern = sim::PixelPattern::kScrambled;
   if (noise == "handa") plan.options.sensor.noise = sim::HandaNoise{};
   plan.options.seed = seed;
   plan.stretch = {fps, start_s, duration_s};
@@ -71,9 +88,21 @@ void AddSimulationOptions(CLI::App& command, SimulationOptions& o, bool required
             ->check(CLI::IsMember({"baked", "path"}))
             ->capture_default_str());
   integer("--width", o.width, 16, 8192, "Width of the image; its height is 3/4 of it");
-  group(command.add_option("--blur", o.blur, "Exposure: full (1/fps), 0 (an instant), or seconds")
+  group(command
+            .add_option("--blur,--exposure-time", o.blur,
+                        "Exposure: full (1/fps), 50% (of it), 8ms, 0.008 (seconds), 0 (an instant)")
             ->capture_default_str());
   integer("--time-samples", o.time_samples, 1, 4096, "Instants in an exposure, at least");
+  number("--row-time", o.row_time_us, 0, 1e6,
+         "Rolling shutter: microseconds from one row to the next; the pose is the middle's");
+  group(command.add_option("--filter", o.filter, "Filter of the pixels: box or gaussian")
+            ->check(CLI::IsMember({"box", "gaussian"}))
+            ->capture_default_str());
+  group(command
+            .add_option("--pattern", o.pattern,
+                        "Samples of the pixels: shared (no noise) or scrambled (no ghosts)")
+            ->check(CLI::IsMember({"shared", "scrambled"}))
+            ->capture_default_str());
   group(command.add_option("--noise", o.noise, "Noise of the colours: handa or none")
             ->check(CLI::IsMember({"handa", "none"}))
             ->capture_default_str());

@@ -18,7 +18,8 @@ struct SimulationOptions {
   std::string scene, trajectory;
   double fps = 60, start_s = 0, duration_s = 0;
   int samples_per_pixel = 4, time_samples = 16, width = 640;
-  std::string blur = "0", noise = "none";
+  double row_time_us = 0;
+  std::string blur = "0", noise = "none", filter = "box", pattern = "shared";
   std::string light = "baked";
   std::uint64_t seed = 0;
   int threads = 0;

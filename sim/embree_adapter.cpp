@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <string>
 
 #include "silt/core/error.h"
@@ -59,6 +60,20 @@ void FillRays(const RayPacket& in, RTCRay16& out) {
     out.id[i] = 0;
     out.flags[i] = 0;
   }
+}
+
+void PrepareQuery(const RayPacket& rays, RTCRayHit16& query) {
+  FillRays(rays, query.ray);
+  for (int i = 0; i < kPacketSize; ++i) {
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+}
+
+double ThreadSeconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
 // Embree calls back for each packet that meets a set with a filter.
@@ -130,11 +145,7 @@ EmbreeAdapter::~EmbreeAdapter() = default;
 
 void EmbreeAdapter::Intersect(const RayPacket& rays, bool coherent, HitPacket& hits) const {
   RTCRayHit16 query;
-  FillRays(rays, query.ray);
-  for (int i = 0; i < kPacketSize; ++i) {
-    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-  }
+  PrepareQuery(rays, query);
   CallIntersect(state_->scene, rays.valid, &query, coherent);
   for (int i = 0; i < kPacketSize; ++i) {
     const RTCHit16& hit = query.hit;
@@ -163,6 +174,16 @@ std::uint32_t EmbreeAdapter::Occluded(const RayPacket& rays) const {
     if (rays.valid[i] != 0 && query.tfar[i] < 0) bits |= 1u << i;
   }
   return bits;
+}
+
+double EmbreeAdapter::TimeIntersect(const std::vector<RayPacket>& packets) const {
+  std::vector<RTCRayHit16> queries(packets.size());
+  for (std::size_t i = 0; i < packets.size(); ++i) PrepareQuery(packets[i], queries[i]);
+  const double begin_s = ThreadSeconds();
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    CallIntersect(state_->scene, packets[i].valid, &queries[i], true);
+  }
+  return ThreadSeconds() - begin_s;
 }
 
 const char* EmbreeAdapter::Version() { return RTC_VERSION_STRING; }

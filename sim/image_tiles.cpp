@@ -10,7 +10,7 @@
 namespace silt::sim {
 
 void ForEachTile(int width, int height, const std::function<void(const ImageTile&)>& body) {
-  constexpr int kSide = 16;
+  constexpr int kSide = ImageTile::kSide;
   const int columns = (width + kSide - 1) / kSide, rows = (height + kSide - 1) / kSide;
   ParallelFor(columns * rows, [&](int i) {
     const ScopedFlushDenormals flush;

@@ -85,8 +85,8 @@ Vec2d LensMap::Reach(int x, int y) const {
 }
 
 Vec2d LensMap::PinholePixel(double u, double v) const {
-  const int x = int(std::lround(u)), y = int(std::lround(v));
-  SILT_CHECK(centers_.Contains(x + 1, y + 1));
+  const int x = std::clamp(int(std::lround(u)), -1, camera_.width);
+  const int y = std::clamp(int(std::lround(v)), -1, camera_.height);
   const Vec2d p = lens_.Undistort(Distorted(u, v), centers_(x + 1, y + 1));
   return {camera_.fx * p.x + camera_.cx, camera_.fy * p.y + camera_.cy};
 }

@@ -15,7 +15,7 @@ class LensMap {
   LensMap(const PinholeCamera& camera, const LensDistortion& lens);
 
   // The pixel at which the same camera without the lens sees what the lens shows at (u, v), both
-  // within a pixel of the picture. Exact to rounding.
+  // within two pixels of the picture. Exact to rounding.
   Vec2d PinholePixel(double u, double v) const;
 
  private:

@@ -10,6 +10,7 @@
 #include "silt/sim/path_tracer.h"
 #include "silt/sim/ray_tracer.h"
 #include "silt/sim/scene.h"
+#include "silt/sim/shading.h"
 #include "silt/sim/surface_planes.h"
 
 namespace silt::sim {
@@ -25,12 +26,11 @@ class LitScene {
   const Scene& scene() const { return scene_; }
   const RayTracer& tracer() const { return tracer_; }
   LightMode light() const { return light_; }
-  // Light that is stored on surfaces; only for LightMode::kBaked.
+  // Light that is stored on surfaces, and what they send to the eye; only for LightMode::kBaked.
   const Irradiance& irradiance() const { return *irradiance_; }
+  const Shading& shading() const { return *shading_; }
   const PathTracer& path_tracer() const { return path_tracer_; }
   const SurfacePlane& plane(std::uint32_t triangle) const { return planes_[triangle]; }
-  // log2 of a triangle's texels per metre, the geometric mean of both directions; 0 untextured.
-  float log2_texels_per_metre(std::uint32_t triangle) const { return texel_density_[triangle]; }
 
  private:
   Scene scene_;
@@ -39,7 +39,7 @@ class LitScene {
   PathTracer path_tracer_;
   std::optional<Irradiance> irradiance_;
   std::vector<SurfacePlane> planes_;
-  std::vector<float> texel_density_;
+  std::optional<Shading> shading_;
 };
 
 }  // namespace silt::sim

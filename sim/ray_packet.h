@@ -19,9 +19,10 @@ struct alignas(64) RayPacket {
   float near[kPacketSize], far[kPacketSize];
   std::int32_t valid[kPacketSize] = {};  // -1: a ray; 0: none
 
+  static constexpr float kFar = 1e30f;
   struct Segment {
     Vec3f origin, direction;
-    float near = 0, far = 1e30f;
+    float near = 0, far = kFar;
   };
   void Set(int lane, const Segment& ray) {
     origin_x[lane] = ray.origin.x;

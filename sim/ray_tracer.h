@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "silt/sim/embree_adapter.h"
 #include "silt/sim/ray_packet.h"
@@ -24,6 +25,11 @@ class RayTracer {
   }
   // Bit i: something lies between `near` and `far` of ray i.
   std::uint32_t Occluded(const RayPacket& rays) const { return embree_.Occluded(rays); }
+
+  // What the tracing alone of coherent packets takes, see EmbreeAdapter.
+  double TimeTracing(const std::vector<RayPacket>& packets) const {
+    return embree_.TimeIntersect(packets);
+  }
 
  private:
   EmbreeAdapter embree_;

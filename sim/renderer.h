@@ -3,30 +3,28 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 
 #include "silt/core/camera.h"
 #include "silt/core/frame.h"
 #include "silt/core/lens.h"
 #include "silt/core/se3.h"
+#include "silt/sim/exposure_rays.h"
 #include "silt/sim/geometry_buffers.h"
 #include "silt/sim/lens_map.h"
 #include "silt/sim/lit_scene.h"
 #include "silt/sim/sensor.h"
-#include "silt/sim/shutter.h"
 
 namespace silt::sim {
-
-// world_from_camera at a time in seconds.
-using PoseAtTime = std::function<SE3d(double time_s)>;
 
 struct RenderOptions {
   PinholeCamera camera = kIclNuimCamera;
   int samples_per_pixel = 4;
+  PixelFilter filter = PixelFilter::kBox;
+  PixelPattern pattern = PixelPattern::kShared;
   Shutter shutter = {};
   SensorOptions sensor = {};  // of the colours; depth is exact
-  std::uint64_t seed = 0;     // of the noise
+  std::uint64_t seed = 0;     // of the noise and of scrambled patterns
   LensDistortion lens = {};   // that colours and depth are seen through
 
   void Validate() const;  // throws silt::Error
@@ -44,22 +42,36 @@ class Renderer {
   // Colours averaged over the exposure about `time_s`; depth at `time_s` itself.
   Frame Render(const PoseAtTime& world_from_camera, double time_s, int frame_index) const;
 
-  // Mean linear radiance of each pixel over the exposure, without noise.
-  Image<Vec3f> RenderLinear(const PoseAtTime& world_from_camera, double time_s) const;
+  // Mean linear radiance of each pixel over the exposure, without noise. The frame's index only
+  // chooses among scrambled patterns.
+  Image<Vec3f> RenderLinear(const PoseAtTime& world_from_camera, double time_s,
+                            int frame_index = 0) const;
+
+  // The same with an exposure that is only an instant, at each row's middle of its own: the sharp
+  // picture that belongs to a blurred one.
+  Image<Vec3f> RenderSharp(const PoseAtTime& world_from_camera, double time_s,
+                           int frame_index = 0) const;
 
   // What the sensor makes of radiance, at the scene's exposure.
   Image<Rgb8> Develop(Image<Vec3f> radiance, const NoiseKey& key) const;
 
   // z of what the ray through each pixel's centre meets, in metres; 0: nothing.
   Image<float> RenderDepth(const SE3d& world_from_camera) const;
-
   // The same rays, and all that is known of what they meet.
   GeometryBuffers RenderGeometry(const SE3d& world_from_camera) const;
+
+  // The same through the shutter: each row in the middle of its exposure.
+  Image<float> RenderDepth(const PoseAtTime& world_from_camera, double time_s) const;
+  GeometryBuffers RenderGeometry(const PoseAtTime& world_from_camera, double time_s) const;
 
   const RenderOptions& options() const { return options_; }
   const std::shared_ptr<const LitScene>& lit_scene() const { return lit_; }
 
  private:
+  Image<Vec3f> RenderThrough(const Shutter& shutter, const PoseAtTime& world_from_camera,
+                             double time_s, int frame_index) const;
+  Optics optics() const { return {options_.camera, lens_.get()}; }
+
   std::shared_ptr<const LitScene> lit_;
   RenderOptions options_;
   Sensor sensor_;

@@ -3,7 +3,6 @@
 #include "silt/sim/sampling.h"
 
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 #include "silt/core/error.h"
@@ -19,16 +18,16 @@ double ReversedBits(std::uint32_t k) {
   return value;
 }
 
-// The second dimension of Sobol's sequence: direction numbers v ← v ⊕ v/2.
-double Sobol2(std::uint32_t k) {
+}  // namespace
+
+// Direction numbers v ← v ⊕ v/2.
+std::uint32_t Sobol2(std::uint32_t k) {
   std::uint32_t direction = 0x80000000u, bits = 0;
   for (; k != 0; k >>= 1, direction ^= direction >> 1) {
     if (k & 1) bits ^= direction;
   }
-  return bits * 0x1p-32;
+  return bits;
 }
-
-}  // namespace
 
 std::vector<Vec2d> SquareSamples(int n) {
   SILT_CHECK(n >= 1);
@@ -37,7 +36,7 @@ std::vector<Vec2d> SquareSamples(int n) {
   for (int k = 0; k < n; ++k) {
     // The order of x is scrambled so that neither coordinate follows k, which may stand for time.
     const auto scrambled = std::uint32_t(n >= 4 ? k ^ 3 : k);
-    points.push_back({ReversedBits(scrambled), Sobol2(std::uint32_t(k))});
+    points.push_back({ReversedBits(scrambled), Sobol2(std::uint32_t(k)) * 0x1p-32});
     mean = mean + 1.0 / n * points.back();
   }
   for (Vec2d& p : points) p = p - mean + Vec2d{0.5, 0.5};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "silt/core/vector.h"
@@ -13,6 +14,9 @@ namespace silt::sim {
 
 // n points in [0, 1)²; n = 2^m stratifies every elementary interval, a (0, m, 2)-net in base 2.
 std::vector<Vec2d> SquareSamples(int n);
+
+// The second dimension of Sobol's sequence, as a fraction of 2³²; the first is the radical inverse.
+std::uint32_t Sobol2(std::uint32_t k);
 
 // n unit directions about +z whose density is cos θ / π.
 std::vector<Vec3f> CosineDirections(int n);

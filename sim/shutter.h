@@ -2,26 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
-#include "silt/core/vector.h"
-
 namespace silt::sim {
 
-// When light is let in.
+// When light is let in. A frame's time and pose are those in the middle of the exposure of the
+// picture's middle.
 struct Shutter {
-  double exposure_s = 0;  // 0: an instant
+  double exposure_s = 0;  // of each row; 0: an instant
   int time_samples = 16;  // at least so many instants where exposure_s > 0
-};
+  // Rolling: each row is exposed so much later than the one above it, 0 or more; 0: all at once.
+  double row_time_s = 0;
 
-// One sharp picture of those whose mean is the frame: all pixels are sampled at the same instant
-// and at the same place within the pixel.
-struct ShutterSample {
-  double time_s;  // relative to mid-exposure, in (−exposure/2, exposure/2)
-  Vec2d offset;   // from the pixel's centre, in (−½, ½)²
+  // When row y of `height` is in the middle of its exposure, relative to the frame's time.
+  double RowTime(int y, int height) const { return row_time_s * (y - 0.5 * (height - 1)); }
 };
-
-// The mean of the times and of the offsets is 0: a frame is an average about its own pose.
-std::vector<ShutterSample> ShutterSamples(int samples_per_pixel, const Shutter& shutter);
 
 }  // namespace silt::sim

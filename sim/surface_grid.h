@@ -37,6 +37,21 @@ class SurfaceGrid {
   // The point (1 − u − v)·p0 + u·p1 + v·p2 of a triangle.
   SurfaceLookup Locate(std::uint32_t triangle, float u, float v) const;
 
+  // How the samples of a triangle lie: rows 0 … count parallel to its longest edge, row r at the
+  // share r/count of the way to the corner `apex`, of Intervals(r) equal intervals from corner
+  // apex + 1 to apex + 2 (mod 3). count 0: only at the corners.
+  struct TriangleRows {
+    int count = 0, apex = 0;
+    const std::uint32_t* begin = nullptr;
+
+    int Intervals(int row) const { return int(begin[row + 1] - begin[row]) - 1; }
+  };
+  TriangleRows RowsOf(std::uint32_t triangle) const {
+    const std::uint32_t grid = triangles_[triangle].grid;
+    if (grid == kNoGrid) return {};
+    return {grids_[grid].count, grids_[grid].apex, &row_begin_[grids_[grid].first_row]};
+  }
+
   // A triangle on which each sample lies, and where: what is known there can be had for a sample.
   struct Origin {
     std::uint32_t triangle;

@@ -24,15 +24,6 @@ int Intervals(float length_m, float spacing_m) {
 
 }  // namespace
 
-std::size_t SurfaceGridBuilder::KeyHash::operator()(const Key& key) const {
-  std::uint64_t hash = 0;
-  for (const std::int32_t k : key) {
-    hash = (hash ^ std::uint32_t(k)) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 29;
-  }
-  return std::size_t(hash);
-}
-
 SurfaceGridBuilder::Corners SurfaceGridBuilder::CornersOf(const Triangle& triangle) const {
   Corners c;
   for (int i = 0; i < 3; ++i) c.position[i] = mesh_.positions[triangle.vertex[i]];
@@ -48,7 +39,6 @@ SurfaceGridBuilder::Corners SurfaceGridBuilder::CornersOf(const Triangle& triang
 
 void SurfaceGridBuilder::Build() {
   grid_.triangles_.reserve(mesh_.triangles.size());
-  known_.reserve(mesh_.positions.size());
   for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
     const Corners corners = CornersOf(mesh_.triangles[i]);
     const Vec3f(&p)[3] = corners.position;
@@ -98,11 +88,16 @@ std::uint32_t SurfaceGridBuilder::Sample(std::uint32_t triangle, const Corners& 
   const Vec3f position = w.x * c.position[0] + w.y * c.position[1] + w.z * c.position[2];
   const Vec3f normal =
       SafelyNormalized(w.x * c.normal[0] + w.y * c.normal[1] + w.z * c.normal[2], c.normal[0]);
-  const auto cell = [](float x, float scale) { return std::int32_t(std::lround(x * scale)); };
-  const Key key{cell(position.x, 16e3f), cell(position.y, 16e3f), cell(position.z, 16e3f),
-                cell(normal.x, 32),      cell(normal.y, 32),      cell(normal.z, 32)};
-  const auto [entry, is_new] = known_.try_emplace(key, std::uint32_t(grid_.samples_.size()));
-  if (is_new) {
+  const auto cell = [](float x, float scale) {
+    const float scaled = std::clamp(x * scale, -2e9f, 2e9f);
+    return std::int32_t(scaled + (scaled < 0 ? -0.5f : 0.5f));
+  };
+  // Position to 1/16 mm and normal to 1/32.
+  const SampleIndex::Key key{cell(position.x, 16e3f), cell(position.y, 16e3f),
+                             cell(position.z, 16e3f), cell(normal.x, 32),
+                             cell(normal.y, 32),      cell(normal.z, 32)};
+  const std::uint32_t number = known_.NumberOf(key);
+  if (number == grid_.samples_.size()) {
     grid_.samples_.push_back({position, normal});
     grid_.origins_.push_back({triangle, w.y, w.z});
     inward_.push_back({});
@@ -112,10 +107,10 @@ std::uint32_t SurfaceGridBuilder::Sample(std::uint32_t triangle, const Corners& 
     const Vec3f way = c.center - position;
     const float length = Norm(way);
     if (length > 0) {
-      inward_[entry->second] += (std::min(1.0f, kPullM / length)) * way;
+      inward_[number] += (std::min(1.0f, kPullM / length)) * way;
     }
   }
-  return entry->second;
+  return number;
 }
 
 void SurfaceGridBuilder::PullInwards() {

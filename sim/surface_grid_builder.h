@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include "silt/sim/sample_index.h"
 #include "silt/sim/surface_grid.h"
 
 namespace silt::sim {
@@ -15,16 +14,11 @@ namespace silt::sim {
 class SurfaceGridBuilder {
  public:
   SurfaceGridBuilder(const Mesh& mesh, float spacing_m, SurfaceGrid& grid)
-      : mesh_(mesh), spacing_m_(spacing_m), grid_(grid) {}
+      : mesh_(mesh), spacing_m_(spacing_m), grid_(grid), known_(mesh.positions.size()) {}
 
   void Build();
 
  private:
-  // Position to 1/16 mm and normal to 1/32.
-  using Key = std::array<std::int32_t, 6>;
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const;
-  };
   struct Corners {
     Vec3f position[3], normal[3], center;
   };
@@ -38,7 +32,7 @@ class SurfaceGridBuilder {
   const Mesh& mesh_;
   float spacing_m_;
   SurfaceGrid& grid_;
-  std::unordered_map<Key, std::uint32_t, KeyHash> known_;
+  SampleIndex known_;
   std::vector<Vec3f> inward_;  // per sample: sum of the ways to the centres of its triangles
 };
 

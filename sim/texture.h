@@ -2,44 +2,75 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "silt/core/image.h"
 #include "silt/core/vector.h"
+#include "silt/sim/mip_level.h"
 
 namespace silt::sim {
 
-// One texel: sRGB-encoded colour and opacity, 8 bits each.
-struct Rgba8 {
-  std::uint8_t r = 0, g = 0, b = 0, a = 255;
-  bool operator==(const Rgba8&) const = default;
-};
-
 // A picture that repeats in both directions, with its mip levels. u runs right and v runs up; [0,
-// 1]² is the whole picture, whose lower left corner is (0, 0). Levels are kept as 8-bit sRGB,
-// filtered in linear light with a box of exactly the texel's area (also for odd sizes).
+// 1]² is the whole picture, whose lower left corner is (0, 0). Levels are kept and filtered in
+// linear light.
 class Texture {
  public:
   // Not empty. Texels of zero opacity take their colour from their opaque surroundings, so that
   // cut-outs do not fade into an invisible background at their edges.
-  explicit Texture(Image<Rgba8> picture);
+  explicit Texture(const Image<Rgba8>& picture);
 
   int width() const { return levels_.front().width(); }
   int height() const { return levels_.front().height(); }
   int level_count() const { return int(levels_.size()); }
-  const Image<Rgba8>& level(int i) const { return levels_[std::size_t(i)]; }
+  // As a picture file would hold it.
+  Image<Rgba8> level(int i) const { return levels_[std::size_t(i)].Encoded(); }
 
   // Linear colour in [0, 1], trilinear. `lod` is log2 of the footprint's width in texels of level
   // 0: 0 and less read the picture itself, more than the last level reads the mean. Non-finite
   // coordinates read the corner.
-  Vec3f Sample(float u, float v, float lod) const;
+  Vec3f Sample(float u, float v, float lod) const { return Vec3From(PlaceOf(u, v, lod).Read()); }
+
+  // The same in two steps, so that memory can be asked for in between.
+  struct Place {
+    MipLevel::Place fine, coarse;
+    float blend;
+
+    Float4 Read() const {
+      constexpr float kUnit = 1.0f / 65535;
+      return kUnit * Lerp(fine.Bilinear(), coarse.Bilinear(), blend);
+    }
+    void Prefetch() const {
+      fine.Prefetch();
+      coarse.Prefetch();
+    }
+  };
+  Place PlaceOf(float u, float v, float lod) const;
 
   // Opacity in [0, 1], bilinear on level 0.
   float Alpha(float u, float v) const;
 
  private:
-  std::vector<Image<Rgba8>> levels_;
+  // The fraction of a coordinate, in [0, 1]; 0 for one that is too large to have any.
+  static float Wrapped(float coordinate) {
+    if (!(coordinate > -1e6f && coordinate < 1e6f)) return 0;
+    const float fraction = coordinate - float(int(coordinate));
+    return fraction < 0 ? fraction + 1 : fraction;
+  }
+  static MipLevel::Place PlaceIn(const MipLevel& level, float right, float down) {
+    return level.PlaceOf(right * float(level.width()) - 0.5f, down * float(level.height()) - 0.5f);
+  }
+
+  std::vector<MipLevel> levels_;
 };
+
+inline Texture::Place Texture::PlaceOf(float u, float v, float lod) const {
+  const float right = Wrapped(u), down = Wrapped(-v);
+  const auto last = float(levels_.size() - 1);
+  const float level = lod > 0 ? (lod < last ? lod : last) : 0;
+  const auto fine = std::size_t(level);
+  const std::size_t coarse = fine + (level < last ? 1 : 0);
+  return {PlaceIn(levels_[fine], right, down), PlaceIn(levels_[coarse], right, down),
+          level - float(fine)};
+}
 
 }  // namespace silt::sim

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "scene_builder.h"
+#include "silt/sim/lit_scene.h"
 
 namespace silt::sim {
 namespace {
@@ -26,8 +30,9 @@ Scene Samples(const std::vector<Material>& materials) {
   return builder.scene;
 }
 
+// On a surface at z = const, coming along x.
 SurfaceHit Hit(std::uint32_t triangle, float cosine, float footprint_m = 1e-4f) {
-  return {triangle, 0.2f, 0.3f, cosine, footprint_m};
+  return {triangle, 0.2f, 0.3f, cosine, footprint_m, {std::sqrt(1 - cosine * cosine), 0, cosine}};
 }
 
 TEST(Shading, IsAlbedoTimesIrradianceOverPiPlusEmission) {
@@ -67,18 +72,63 @@ TEST(Shading, TexturesMultiplyReflectionAndEmission) {
   EXPECT_NEAR(Shade(lit, bright).y, 0.5f, 1e-3f);
 }
 
-// A cone as wide as the texture sees its mean, and a slanted one sooner than a straight one.
-TEST(Shading, WideConesSeeTheMeanOfTheTexture) {
+TEST(Shading, TexelDensityIsTheMeanOfBothDirections) {
+  SceneBuilder builder;
+  const Texture texture(Image<Rgba8>(64, 16));
+  // 64 texels on 2 m and 16 on 0.5 m: 32 per metre both ways.
+  builder.AddQuad({0, 0, 0}, {2, 0, 0}, {0, 0.5f, 0}, 0);
+  // 64 on 1 m and 16 on 1 m: √(64·16) = 32.
+  builder.AddQuad({0, 0, 1}, {1, 0, 0}, {0, 1, 0}, 0);
+  for (const Triangle& triangle : builder.scene.mesh.triangles) {
+    EXPECT_NEAR(Log2TexelsPerMetre(builder.scene.mesh, triangle, texture), 5, 1e-5f);
+  }
+  builder.AddQuad({0, 0, 1}, {1, 0, 0}, {2, 0, 0}, 0);  // without area
+  EXPECT_EQ(Log2TexelsPerMetre(builder.scene.mesh, builder.scene.mesh.triangles[4], texture), 0);
+}
+
+// The stripes: black for x < ½ and white beyond.
+LitScene Stripes() {
   Material material;
   material.diffuse = {1, 1, 1};
   material.texture = 0;
-  const LitScene lit(Samples({material}));
-  EXPECT_NEAR(Shade(lit, Hit(0, -1, 1)).x, 0.5f, 5e-3f);
-  SurfaceHit hit = Hit(0, -1, 1.0f / 16);
-  hit.u = 0.4f, hit.v = 0.15f;  // 3 texels from the stripe's edge
-  const float straight = Shade(lit, hit).x;
-  hit.cosine = -0.04f;
-  EXPECT_GT(straight, Shade(lit, hit).x + 0.05f);
+  return LitScene(Samples({material}));
+}
+
+// On the stripes, so many texels behind their edge.
+SurfaceHit NearEdge(float texels, float cosine, float footprint_m) {
+  SurfaceHit hit = Hit(0, cosine, footprint_m);
+  hit.v = 0.2f;
+  hit.u = 0.5f + texels / 64 - hit.v;  // x = u + v
+  return hit;
+}
+
+TEST(Shading, WideConesSeeTheMeanOfTheTexture) {
+  EXPECT_NEAR(Shade(Stripes(), Hit(0, -1, 1)).x, 0.5f, 5e-3f);
+}
+
+// The share of a slanted cone's long footprint that lies beyond the edge, when it runs across the
+// stripes; all or nothing when it runs along them.
+TEST(Shading, SlantedConesAverageAlongTheirFootprint) {
+  const LitScene lit = Stripes();
+  for (const float texels : {-6.0f, -3.0f, 0.0f, 3.0f, 6.0f}) {
+    SurfaceHit hit = NearEdge(texels, -0.1f, 1.0f / 64);  // 10 texels long
+    EXPECT_NEAR(Shade(lit, hit).x, std::clamp(0.5f + texels / 10, 0.0f, 1.0f), 0.06f) << texels;
+    hit.direction = {0, hit.direction.x, hit.direction.z};
+    EXPECT_NEAR(Shade(lit, hit).x, texels < 0 ? 0 : texels > 0 ? 1 : 0.5f, 0.01f) << texels;
+  }
+}
+
+// At the limits between numbers of probes there are no steps to be seen.
+TEST(Shading, ALongerFootprintChangesTheColourLittleByLittle) {
+  const LitScene lit = Stripes();
+  float before = -1;
+  for (float cosine = 1; cosine > 0.07f; cosine *= 0.995f) {
+    const float now = Shade(lit, NearEdge(1.5f, -cosine, 1.0f / 32)).x;
+    if (before >= 0) {
+      EXPECT_NEAR(now, before, 0.1f) << cosine;
+    }
+    before = now;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace silt::sim {
+
+// Numbers samples by where they are: the same key gets the same number, a new one the next. A hash
+// table with open addressing, since it is filled with millions while a user waits.
+class SampleIndex {
+ public:
+  // Position and normal, rounded.
+  using Key = std::array<std::int32_t, 6>;
+
+  explicit SampleIndex(std::size_t expected);
+
+  // The number of a key. It is new if it equals the size() before.
+  std::uint32_t NumberOf(const Key& key);
+  std::size_t size() const { return keys_.size(); }
+
+ private:
+  static constexpr std::uint32_t kFree = 0xffffffffu;
+
+  std::size_t SlotOf(const Key& key) const;
+  void Rehash(std::size_t slots);
+
+  std::vector<Key> keys_;             // by number
+  std::vector<std::uint32_t> slots_;  // numbers; a power of two, at least twice as many as keys
+};
+
+}  // namespace silt::sim
