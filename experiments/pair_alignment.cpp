@@ -9,8 +9,8 @@ namespace silt::experiments {
 PairAlignment::PairAlignment(const tracker::Backend& backend, const FramePair& pair, int levels)
     : backend_(backend),
       reference_(backend.MakeReference(GrayFromRgb(pair.reference.rgb), pair.reference.depth_m,
-                                       pair.camera, levels)),
-      current_(backend.MakeCurrent(GrayFromRgb(pair.current.rgb), levels)),
+                                       pair.camera, {levels})),
+      current_(backend.MakeCurrent(GrayFromRgb(pair.current.rgb), {}, {levels})),
       truth_(pair.current_from_reference) {}
 
 tracker::AlignmentResult PairAlignment::Align(const SE3d& start,

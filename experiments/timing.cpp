@@ -58,8 +58,8 @@ std::vector<FrameTiming> TimeFrames(FrameSource& source, tracker::KeyframeTracke
 CallTimes TimeFullSizeCalls(const tracker::Backend& backend, const FramePair& pair, int calls) {
   SILT_CHECK(calls >= 1);
   const auto reference = backend.MakeReference(GrayFromRgb(pair.reference.rgb),
-                                               pair.reference.depth_m, pair.camera, 1);
-  const auto current = backend.MakeCurrent(GrayFromRgb(pair.current.rgb), 1);
+                                               pair.reference.depth_m, pair.camera, {1});
+  const auto current = backend.MakeCurrent(GrayFromRgb(pair.current.rgb), {}, {1});
   const tracker::ImagePair images{*reference, *current};
   std::vector<double> residual, jacobian;
   for (int i = 0; i < calls; ++i) {

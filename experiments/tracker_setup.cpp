@@ -20,7 +20,7 @@ namespace {
 
 }  // namespace
 
-std::vector<std::string> PresetNames() { return {"paper", "paper-all-pixels"}; }
+std::vector<std::string> PresetNames() { return {"paper", "paper-all-pixels", "accurate", "fast"}; }
 std::vector<std::string> BackendNames() {
   return {"cpu", "cpu-sse2", "cpu-avx2", "cpu-avx512", "cuda"};
 }
@@ -29,6 +29,8 @@ std::vector<std::string> InitializerNames() { return {"sparse", "previous"}; }
 tracker::TrackerOptions PresetOptions(const std::string& preset) {
   if (preset == "paper") return tracker::PaperPreset();
   if (preset == "paper-all-pixels") return tracker::PaperAllPixelsPreset();
+  if (preset == "accurate") return tracker::AccuratePreset();
+  if (preset == "fast") return tracker::FastPreset();
   Unknown("preset", preset, PresetNames());
 }
 
@@ -69,11 +71,18 @@ Json ToJson(const TrackerSetup& setup) {
             {"damping_factor", o.alignment.damping_factor},
             {"min_update_norm", o.alignment.min_update_norm},
             {"min_overlap", o.alignment.min_overlap},
-            {"exclude_hidden", o.alignment.exclude_hidden}}},
+            {"exclude_hidden", o.alignment.exclude_hidden},
+            {"use_current_depth", o.alignment.use_current_depth},
+            {"depth_edge_margin_px", o.alignment.depth_edge_margin_px},
+            {"robust_scale", o.alignment.robust_scale},
+            {"robust_gradient", o.alignment.robust_gradient}}},
           {"keyframes",
            {{"max_distance_m", o.keyframes.max_distance_m},
             {"max_rotation_deg", o.keyframes.max_rotation_deg},
-            {"min_measured_depth", o.keyframes.min_measured_depth}}},
+            {"min_measured_depth", o.keyframes.min_measured_depth},
+            {"metres_per_radian", o.keyframes.metres_per_radian},
+            {"joint", o.keyframes.joint}}},
+          {"always_initialize", o.always_initialize},
           {"max_unexplained_variance", o.max_unexplained_variance}};
 }
 

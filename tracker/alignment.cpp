@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "silt/core/error.h"
+#include "silt/tracker/residual_scale.h"
 #include "silt/tracker/stopwatch.h"
 
 namespace silt::tracker {
@@ -54,11 +55,18 @@ bool DeterminesPose(const NormalEquations& equations) {
 
 class LevenbergMarquardt {
  public:
-  LevenbergMarquardt(const Backend& backend, const ImagePair& pair, const SE3d& initial,
-                     const AlignmentOptions& options)
-      : backend_(backend), pair_(pair), options_(options), pose_(initial) {}
+  LevenbergMarquardt(const Backend& backend, const std::vector<ReferenceView>& references,
+                     const CurrentPyramid& current, const AlignmentOptions& options)
+      : backend_(backend),
+        references_(references),
+        current_(current),
+        options_(options),
+        visible_(references.size()) {
+    norm_.gradient = options.robust_gradient;
+  }
 
   AlignmentResult Run(const SE3d& initial) {
+    pose_ = initial;
     // From the coarsest level to the finest, each from where the one before it ended.
     for (int level = options_.levels(); level >= 1 && result_.failure.empty(); --level) {
       if (options_.max_iterations[level - 1] > 0 && Measured(level) >= kMinPixels) RunLevel(level);
@@ -70,7 +78,13 @@ class LevenbergMarquardt {
   }
 
  private:
-  int Measured(int level) const { return pair_.reference.levels()[level - 1].measured_pixels; }
+  int Measured(int level) const {
+    int sum = 0;
+    for (const ReferenceView& reference : references_) {
+      sum += reference.pyramid.levels()[level - 1].measured_pixels;
+    }
+    return sum;
+  }
 
   bool EnoughPixels(int level, const PhotometricCost& cost) const {
     return cost.pixels >= kMinPixels &&
@@ -80,11 +94,13 @@ class LevenbergMarquardt {
   void RunLevel(int level) {
     FindVisible(level);
     Linearize(level);
+    if (options_.robust_scale > 0) EstimateScale(level);
     if (!CheckStart(level)) return;
+    const PinholeCamera& camera = references_.front().pyramid.levels()[level - 1].camera;
     AlignmentLevel summary;
     summary.level = level;
-    summary.width = pair_.reference.levels()[level - 1].camera.width;
-    summary.height = pair_.reference.levels()[level - 1].camera.height;
+    summary.width = camera.width;
+    summary.height = camera.height;
     summary.initial_cost = equations_.cost;
     damping_ = options_.initial_damping;
     cost_ = equations_.cost;
@@ -102,14 +118,24 @@ class LevenbergMarquardt {
   bool Step(int level, int iteration, const Twistd& update) {
     AlignmentStep step{level, iteration, damping_, UpdateNorm(update), cost_, {}, false};
     const SE3d trial = TimedUpdate(update);
-    step.trial_cost = TimedCost(level, trial);
+    NormalEquations trial_equations;
+    if (options_.robust()) {
+      trial_equations = LinearizedAt(level, trial);
+      step.trial_cost = trial_equations.cost;
+    } else {
+      step.trial_cost = TimedCost(level, trial);
+    }
     const bool converged = step.update_norm < options_.min_update_norm;
     step.accepted =
         !converged && EnoughPixels(level, step.trial_cost) && step.trial_cost.mean() < cost_.mean();
     if (step.accepted) {
       pose_ = trial;
       cost_ = step.trial_cost;
-      if (iteration < options_.max_iterations[level - 1]) Linearize(level);
+      if (options_.robust()) {
+        equations_ = trial_equations;
+      } else if (iteration < options_.max_iterations[level - 1]) {
+        Linearize(level);
+      }
       damping_ /= options_.damping_factor;
     } else {
       damping_ *= options_.damping_factor;
@@ -118,15 +144,35 @@ class LevenbergMarquardt {
     return converged;
   }
 
-  // At the first level, whose result serves the finer ones too, and again where the pose is all but
-  // known.
+  // Where the keyframe's own depth tells: at the first level, whose result serves the finer ones
+  // too, and again where the pose is all but known.
   void FindVisible(int level) {
-    if (!options_.exclude_hidden || (visible_ && level > 1)) return;
+    if (!options_.exclude_hidden) return;
     const Stopwatch watch(&result_.times.residual_ms);
-    visible_ = backend_.WithoutHidden(pair_.reference, level - 1, pose_);
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+      if (visible_[i] && level > 1 && !current_.has_depth()) continue;
+      visible_[i] = backend_.WithoutHidden({references_[i].pyramid, current_}, level - 1,
+                                           pose_ * references_[i].anchor_from_reference);
+    }
   }
 
-  ImagePair VisiblePair() const { return {visible_ ? *visible_ : pair_.reference, pair_.current}; }
+  ImagePair VisiblePair(std::size_t i) const {
+    return {visible_[i] ? *visible_[i] : references_[i].pyramid, current_};
+  }
+
+  // Sets c from the residuals at the pose. A level starts with that of the coarser one.
+  void EstimateScale(int level) {
+    constexpr int rounds = 4;
+    constexpr double close = 0.1, least = 0.2 / 255;  // of the residuals' scale
+    for (int i = 0; i < rounds && equations_.cost.pixels > 0; ++i) {
+      const double factor = norm_.scale > 0 ? options_.robust_scale : 0;
+      const double scale =
+          options_.robust_scale * std::max(least, ResidualScale(equations_.cost, factor));
+      if (std::abs(scale - norm_.scale) < close * scale) return;
+      norm_.scale = scale;
+      Linearize(level);
+    }
+  }
 
   std::optional<Twistd> TimedSolve() {
     const Stopwatch watch(&result_.times.update_ms);
@@ -140,13 +186,24 @@ class LevenbergMarquardt {
 
   PhotometricCost TimedCost(int level, const SE3d& pose) {
     const Stopwatch watch(&result_.times.residual_ms);
-    return backend_.Cost(VisiblePair(), level - 1, pose);
+    PhotometricCost cost;
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+      cost += backend_.Cost(VisiblePair(i), level - 1, pose * references_[i].anchor_from_reference);
+    }
+    return cost;
   }
 
-  void Linearize(int level) {
+  NormalEquations LinearizedAt(int level, const SE3d& pose) {
     const Stopwatch watch(&result_.times.jacobian_ms);
-    equations_ = backend_.Linearize(VisiblePair(), level - 1, pose_);
+    NormalEquations sum;
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+      sum += backend_.Linearize(VisiblePair(i), level - 1,
+                                pose * references_[i].anchor_from_reference, norm_);
+    }
+    return sum;
   }
+
+  void Linearize(int level) { equations_ = LinearizedAt(level, pose_); }
 
   void Fail(const std::string& why) { result_.failure = why; }
 
@@ -163,9 +220,11 @@ class LevenbergMarquardt {
   }
 
   const Backend& backend_;
-  const ImagePair& pair_;
+  const std::vector<ReferenceView>& references_;
+  const CurrentPyramid& current_;
   const AlignmentOptions& options_;
-  std::unique_ptr<ReferencePyramid> visible_;  // the reference without hidden pixels
+  std::vector<std::unique_ptr<ReferencePyramid>> visible_;  // the references, less hidden pixels
+  ResidualNorm norm_;
   SE3d pose_;
   NormalEquations equations_;  // at pose_, but for a level's last iteration
   PhotometricCost cost_;       // at pose_
@@ -175,10 +234,19 @@ class LevenbergMarquardt {
 
 }  // namespace
 
+AlignmentResult Align(const Backend& backend, const std::vector<ReferenceView>& references,
+                      const CurrentPyramid& current, const SE3d& initial,
+                      const AlignmentOptions& options) {
+  SILT_CHECK(!references.empty());
+  for (const ReferenceView& reference : references) {
+    SILT_CHECK(int(reference.pyramid.levels().size()) >= options.levels());
+  }
+  return LevenbergMarquardt(backend, references, current, options).Run(initial);
+}
+
 AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d& initial,
                       const AlignmentOptions& options) {
-  SILT_CHECK(int(pair.reference.levels().size()) >= options.levels());
-  return LevenbergMarquardt(backend, pair, initial, options).Run(initial);
+  return Align(backend, {{pair.reference, {}}}, pair.current, initial, options);
 }
 
 }  // namespace silt::tracker

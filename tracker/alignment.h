@@ -52,8 +52,21 @@ struct AlignmentResult {
   }
 };
 
-// Algorithm 1: Levenberg-Marquardt from the coarsest level to the finest. Fails, without an
-// exception, where the images share too few pixels or the equations have no finite solution.
+// A keyframe and where it stands: the pose that is sought is current_from_anchor, and the camera of
+// the reference sees a point of the anchor's frame through anchor_from_reference⁻¹.
+struct ReferenceView {
+  const ReferencePyramid& pyramid;
+  SE3d anchor_from_reference;
+};
+
+// Algorithm 1: Levenberg-Marquardt from the coarsest level to the finest, over the pixels of all
+// references together. A left update of current_from_anchor is one of every current_from_reference
+// too, so that their equations add up. Fails, without an exception, where the images share too few
+// pixels or the equations have no finite solution. The result's pose is current_from_anchor.
+AlignmentResult Align(const Backend& backend, const std::vector<ReferenceView>& references,
+                      const CurrentPyramid& current, const SE3d& initial,
+                      const AlignmentOptions& options);
+// With one reference, which is the anchor.
 AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d& initial,
                       const AlignmentOptions& options);
 

@@ -10,6 +10,8 @@
 #include "silt/core/image.h"
 #include "silt/core/se3.h"
 #include "silt/tracker/normal_equations.h"
+#include "silt/tracker/options.h"
+#include "silt/tracker/residual_norm.h"
 
 namespace silt::tracker {
 
@@ -29,10 +31,14 @@ class ReferencePyramid {
   std::vector<PyramidLevel> levels_;
 };
 
-// The same of the current image, which needs no depth.
+// The same of the current image, whose depth may be missing.
 class CurrentPyramid {
  public:
   virtual ~CurrentPyramid() = default;
+  bool has_depth() const { return has_depth_; }
+
+ protected:
+  bool has_depth_ = false;
 };
 
 // The two images of one alignment.
@@ -52,21 +58,26 @@ class Backend {
   virtual std::unique_ptr<ReferencePyramid> MakeReference(const Image<float>& intensity,
                                                           const Image<float>& depth_m,
                                                           const PinholeCamera& camera,
-                                                          int levels) const = 0;
+                                                          const PyramidOptions& options) const = 0;
+  // Without a depth (an empty image) it has no edges to leave out.
   virtual std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>& intensity,
-                                                      int levels) const = 0;
+                                                      const Image<float>& depth_m,
+                                                      const PyramidOptions& options) const = 0;
 
-  // The keyframe as the current camera sees it: its pixels whose points are hidden there (see
-  // visibility.h) have no depth. Serves `level` and all finer ones.
+  // The keyframe as the current camera sees it: its pixels whose points are hidden there have no
+  // depth. Where the current image has a depth, that tells what is hidden, and the result serves
+  // `level` alone; else the keyframe's own does (see visibility.h), and it serves all finer levels
+  // too.
   virtual std::unique_ptr<ReferencePyramid> WithoutHidden(
-      const ReferencePyramid& reference, int level, const SE3d& current_from_reference) const = 0;
+      const ImagePair& pair, int level, const SE3d& current_from_reference) const = 0;
 
   // Residuals alone: warp, eq. 2, cost.
   virtual PhotometricCost Cost(const ImagePair& pair, int level,
                                const SE3d& current_from_reference) const = 0;
   // Residuals and Jacobians: eqs. 13–17.
   virtual NormalEquations Linearize(const ImagePair& pair, int level,
-                                    const SE3d& current_from_reference) const = 0;
+                                    const SE3d& current_from_reference,
+                                    const ResidualNorm& norm = {}) const = 0;
 };
 
 }  // namespace silt::tracker

@@ -23,7 +23,11 @@ simd::Kernels KernelsOf(SimdLevel level) {
   return simd::BaselineKernels();
 }
 
-simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_reference) {
+// 1/x², where 0 stands for infinity.
+float InverseSquare(double x) { return x > 0 ? float(1 / (x * x)) : 0.0f; }
+
+simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_reference,
+                       const ResidualNorm& norm = {}) {
   const kernel::Warp<float> warp(kernel::Warp<double>(current_from_reference, images.camera));
   const Vec3f* r = warp.rotation.row;
   const Vec3f& t = warp.translation;
@@ -32,6 +36,7 @@ simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_refer
           images.reference_intensity.data(),
           images.reference_depth_m.data(),
           images.current_intensity.data(),
+          images.current_depth_m ? images.current_depth_m->data() : nullptr,
           {r[0].x, r[0].y, r[0].z, r[1].x, r[1].y, r[1].z, r[2].x, r[2].y, r[2].z},
           {t.x, t.y, t.z},
           warp.camera.fx,
@@ -39,7 +44,9 @@ simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_refer
           warp.camera.cx,
           warp.camera.cy,
           warp.inverse_fx,
-          warp.inverse_fy};
+          warp.inverse_fy,
+          InverseSquare(norm.gradient),
+          InverseSquare(norm.scale)};
 }
 
 using Sums = std::array<double, simd::kSumCount>;
@@ -52,12 +59,11 @@ void AddTo(Sums* total, const simd::LaneSums& tile) {
 }
 
 // Sums over all rows: tile by tile in parallel, then the tiles in order.
-Sums Reduce(simd::AddRows add_rows, const LevelImages& images, const SE3d& current_from_reference) {
+Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view) {
   Sums total{};
-  const int rows = images.camera.height;
+  const int rows = view.height;
   // No pixel of a smaller image has four pixels around it.
-  if (images.camera.width < 2 || rows < 2) return total;
-  const simd::LevelView view = ViewOf(images, current_from_reference);
+  if (view.width < 2 || rows < 2) return total;
   std::vector<Sums> tiles((rows + kTileRows - 1) / kTileRows);
   ParallelFor(int(tiles.size()), [&](int i) {
     simd::LaneSums tile;
@@ -70,8 +76,8 @@ Sums Reduce(simd::AddRows add_rows, const LevelImages& images, const SE3d& curre
   return total;
 }
 
-PhotometricCost CostOf(const Sums& sums) {
-  return {0.5 * sums[simd::kSquaresSum], std::int64_t(sums[simd::kCountSum])};
+PhotometricCost CostOf(const Sums& sums, int norm_sum) {
+  return {0.5 * sums[norm_sum], std::int64_t(sums[simd::kCountSum]), sums[simd::kSquaresSum]};
 }
 
 }  // namespace
@@ -80,18 +86,33 @@ CpuReduction::CpuReduction(SimdLevel level) : kernels_(KernelsOf(level)) {}
 
 PhotometricCost CpuReduction::Cost(const LevelImages& images,
                                    const SE3d& current_from_reference) const {
-  return CostOf(Reduce(kernels_.add_cost, images, current_from_reference));
+  return CostOf(Reduce(kernels_.add_cost, ViewOf(images, current_from_reference)),
+                simd::kSquaresSum);
 }
 
 NormalEquations CpuReduction::Equations(const LevelImages& images,
-                                        const SE3d& current_from_reference) const {
-  const Sums sums = Reduce(kernels_.add_equations, images, current_from_reference);
+                                        const SE3d& current_from_reference,
+                                        const ResidualNorm& norm) const {
+  const Sums sums = Reduce(norm.robust() ? kernels_.add_robust_equations : kernels_.add_equations,
+                           ViewOf(images, current_from_reference, norm));
   NormalEquations equations;
   std::copy_n(sums.begin(), equations.hessian.size(), equations.hessian.begin());
   std::copy_n(sums.begin() + equations.hessian.size(), equations.gradient.size(),
               equations.gradient.begin());
-  equations.cost = CostOf(sums);
+  equations.cost = CostOf(sums, norm.robust() ? simd::kRobustSum : simd::kSquaresSum);
   return equations;
+}
+
+Image<float> CpuReduction::VisibleDepth(const LevelImages& images,
+                                        const SE3d& current_from_reference) const {
+  SILT_CHECK(images.current_depth_m != nullptr);
+  const simd::LevelView view = ViewOf(images, current_from_reference);
+  Image<float> visible(view.width, view.height);
+  ParallelFor((view.height + kTileRows - 1) / kTileRows, [&](int i) {
+    const int end = std::min(view.height, (i + 1) * kTileRows);
+    kernels_.copy_visible(view, i * kTileRows, end, visible.data());
+  });
+  return visible;
 }
 
 }  // namespace silt::tracker

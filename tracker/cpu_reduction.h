@@ -6,6 +6,7 @@
 #include "silt/core/image.h"
 #include "silt/core/se3.h"
 #include "silt/tracker/normal_equations.h"
+#include "silt/tracker/residual_norm.h"
 #include "silt/tracker/simd/kernels.h"
 #include "silt/tracker/simd_level.h"
 
@@ -17,6 +18,7 @@ struct LevelImages {
   const Image<float>& reference_intensity;
   const Image<float>& reference_depth_m;
   const Image<float>& current_intensity;
+  const Image<float>* current_depth_m = nullptr;
 };
 
 // The sums over a level's pixels by one instruction set.
@@ -25,7 +27,10 @@ class CpuReduction {
   explicit CpuReduction(SimdLevel level);
 
   PhotometricCost Cost(const LevelImages& images, const SE3d& current_from_reference) const;
-  NormalEquations Equations(const LevelImages& images, const SE3d& current_from_reference) const;
+  NormalEquations Equations(const LevelImages& images, const SE3d& current_from_reference,
+                            const ResidualNorm& norm = {}) const;
+  // The reference's depth without what is hidden from the current camera, as its depth tells.
+  Image<float> VisibleDepth(const LevelImages& images, const SE3d& current_from_reference) const;
 
  private:
   simd::Kernels kernels_;

@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "silt/tracker/keyframe.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace silt::tracker {
 namespace {
 
-double Distance(const Keyframe& keyframe, const SE3d& world_from_camera) {
-  return Norm(keyframe.world_from_camera.translation - world_from_camera.translation);
+double Distance(const Keyframe& keyframe, const SE3d& world_from_camera,
+                const KeyframeOptions& options) {
+  const SE3d& other = keyframe.world_from_camera;
+  const double metres = Norm(other.translation - world_from_camera.translation);
+  if (options.metres_per_radian == 0) return metres;
+  const Vec3d turn = (other.rotation.Conjugate() * world_from_camera.rotation).Log();
+  return metres + options.metres_per_radian * Norm(turn);
 }
 
 // |rx| + |ry| + |rz| of the rotation vector between two cameras, in degrees.
@@ -19,23 +26,34 @@ double SummedRotationDeg(const SE3d& world_from_a, const SE3d& world_from_b) {
 
 }  // namespace
 
-int NearestKeyframe(const std::vector<Keyframe>& keyframes, const SE3d& world_from_camera) {
-  SILT_CHECK(!keyframes.empty());
-  int nearest = 0;
-  for (int i = 1; i < int(keyframes.size()); ++i) {
-    if (Distance(keyframes[i], world_from_camera) <
-        Distance(keyframes[nearest], world_from_camera)) {
-      nearest = i;
-    }
+std::vector<int> NearestKeyframes(const std::vector<Keyframe>& keyframes,
+                                  const SE3d& world_from_camera, const KeyframeOptions& options,
+                                  int count) {
+  std::vector<std::pair<double, int>> by_distance;
+  for (int i = 0; i < int(keyframes.size()); ++i) {
+    by_distance.emplace_back(Distance(keyframes[i], world_from_camera, options), i);
+  }
+  const std::size_t kept = std::min<std::size_t>(count, by_distance.size());
+  std::partial_sort(by_distance.begin(), by_distance.begin() + kept, by_distance.end());
+  std::vector<int> nearest;
+  for (std::size_t i = 0; i < kept; ++i) {
+    if (i > 0 && by_distance[i].first > 3 * options.max_distance_m) break;
+    nearest.push_back(by_distance[i].second);
   }
   return nearest;
+}
+
+int NearestKeyframe(const std::vector<Keyframe>& keyframes, const SE3d& world_from_camera,
+                    const KeyframeOptions& options) {
+  SILT_CHECK(!keyframes.empty());
+  return NearestKeyframes(keyframes, world_from_camera, options, 1).front();
 }
 
 bool NeedsKeyframe(const std::vector<Keyframe>& keyframes, const SE3d& world_from_camera,
                    const KeyframeOptions& options) {
   if (keyframes.empty()) return true;
-  const int nearest = NearestKeyframe(keyframes, world_from_camera);
-  return Distance(keyframes[nearest], world_from_camera) > options.max_distance_m ||
+  const int nearest = NearestKeyframe(keyframes, world_from_camera, options);
+  return Distance(keyframes[nearest], world_from_camera, options) > options.max_distance_m ||
          SummedRotationDeg(keyframes.back().world_from_camera, world_from_camera) >
              options.max_rotation_deg;
 }

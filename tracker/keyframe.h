@@ -19,9 +19,16 @@ struct Keyframe {
   SE3d world_from_camera;  // T_wr, as estimated
 };
 
-// Index of the keyframe whose camera is nearest in position to that of `world_from_camera`; the
-// earlier one of two at the same distance. `keyframes` must not be empty.
-int NearestKeyframe(const std::vector<Keyframe>& keyframes, const SE3d& world_from_camera);
+// Indices of the `count` keyframes, or fewer where there are not so many, whose cameras are nearest
+// in position to that of `world_from_camera`, with a turn counted as options.metres_per_radian;
+// nearest first, the earlier one of two at the same distance. Beyond the first, those that are
+// farther than three times options.max_distance_m are left out.
+std::vector<int> NearestKeyframes(const std::vector<Keyframe>& keyframes,
+                                  const SE3d& world_from_camera, const KeyframeOptions& options,
+                                  int count);
+// The first of them. `keyframes` must not be empty.
+int NearestKeyframe(const std::vector<Keyframe>& keyframes, const SE3d& world_from_camera,
+                    const KeyframeOptions& options = {});
 
 // The rule of §3.1: the camera is farther than the threshold from every keyframe, or the sum of its
 // rotations about x, y and z since the last created keyframe exceeds the threshold.

@@ -82,46 +82,86 @@ Image<float> KeyframeTracker::Gray(const Frame& frame, TrackedFrame* result) con
 
 void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity,
                                TrackedFrame* result) {
+  const SE3d predicted = Predicted(frame.time_s);
   // The position of the previous image defines the nearest keyframe (§3.1).
-  const Keyframe& nearest = keyframes_[NearestKeyframe(keyframes_, world_from_camera_)];
-  result->keyframe_id = nearest.id;
+  const std::vector<int> nearest =
+      NearestKeyframes(keyframes_, options_.always_initialize ? world_from_camera_ : predicted,
+                       options_.keyframes, options_.keyframes.joint);
+  const Keyframe& keyframe = keyframes_[nearest.front()];
+  result->keyframe_id = keyframe.id;
+  const std::unique_ptr<CurrentPyramid> current = MakeCurrent(frame, intensity, result);
   // Initial T_cr (§3.2), then its refinement (§3.3).
-  const SE3d initial = InitialPose(nearest, frame, intensity, result);
-  Refine(nearest, intensity, initial, result);
-  if (result->status != TrackingStatus::kTracked) return;
+  const SE3d expected = predicted.Inverse() * keyframe.world_from_camera;
+  if (options_.always_initialize) Initialize(keyframe, frame, intensity, result);
+  Refine(nearest, *current, result->initial.current_from_keyframe.value_or(expected), result);
+  if (result->status != TrackingStatus::kTracked && !options_.always_initialize &&
+      Initialize(keyframe, frame, intensity, result)) {
+    Refine(nearest, *current, *result->initial.current_from_keyframe, result);
+  }
+  if (result->status != TrackingStatus::kTracked) {
+    velocity_.reset();
+    return;
+  }
   // T_wc = T_w,near · T_near,c.
-  world_from_camera_ =
-      nearest.world_from_camera * result->alignment.current_from_reference.Inverse();
+  Accept(keyframe.world_from_camera * result->alignment.current_from_reference.Inverse(),
+         frame.time_s);
 }
 
-SE3d KeyframeTracker::InitialPose(const Keyframe& nearest, const Frame& frame,
-                                  const Image<float>& intensity, TrackedFrame* result) {
+// Where the camera is if it goes on as between the last two frames; the paper starts where it was.
+SE3d KeyframeTracker::Predicted(double time_s) const {
+  if (options_.always_initialize || !velocity_) return world_from_camera_;
+  const double dt_s = time_s - time_s_;
+  return world_from_camera_ * SE3d::Exp({dt_s * velocity_->omega, dt_s * velocity_->v});
+}
+
+void KeyframeTracker::Accept(const SE3d& world_from_camera, double time_s) {
+  const double dt_s = time_s - time_s_;
+  velocity_.reset();
+  if (dt_s > 0) {
+    const Twistd moved = (world_from_camera_.Inverse() * world_from_camera).Log();
+    velocity_ = Twistd{1 / dt_s * moved.omega, 1 / dt_s * moved.v};
+  }
+  world_from_camera_ = world_from_camera;
+  time_s_ = time_s;
+}
+
+bool KeyframeTracker::Initialize(const Keyframe& nearest, const Frame& frame,
+                                 const Image<float>& intensity, TrackedFrame* result) {
+  if (!initializer_) return false;
   const Stopwatch watch(&result->times.initial_estimate_ms);
-  if (initializer_) {
-    result->initial =
-        initializer_->Estimate({nearest, frame, intensity, camera_, options_.seed, frame_index_});
-  }
-  const SE3d previous = world_from_camera_.Inverse() * nearest.world_from_camera;
-  return result->initial.current_from_keyframe.value_or(previous);
+  result->initial =
+      initializer_->Estimate({nearest, frame, intensity, camera_, options_.seed, frame_index_});
+  return result->initial.current_from_keyframe.has_value();
 }
 
-void KeyframeTracker::Refine(const Keyframe& nearest, const Image<float>& intensity,
+std::unique_ptr<CurrentPyramid> KeyframeTracker::MakeCurrent(const Frame& frame,
+                                                             const Image<float>& intensity,
+                                                             TrackedFrame* result) const {
+  const Stopwatch watch(&result->times.pyramid_ms);
+  const AlignmentOptions& alignment = options_.alignment;
+  return backend_->MakeCurrent(intensity,
+                               alignment.use_current_depth ? frame.depth_m : Image<float>{},
+                               alignment.Pyramids());
+}
+
+void KeyframeTracker::Refine(const std::vector<int>& nearest, const CurrentPyramid& current,
                              const SE3d& initial, TrackedFrame* result) {
-  std::unique_ptr<CurrentPyramid> current;
-  {
-    const Stopwatch watch(&result->times.pyramid_ms);
-    current = backend_->MakeCurrent(intensity, options_.alignment.levels());
+  const SE3d anchor_from_world = keyframes_[nearest.front()].world_from_camera.Inverse();
+  std::vector<ReferenceView> views;
+  for (const int id : nearest) {
+    views.push_back(
+        {*references_[id].pyramid, anchor_from_world * keyframes_[id].world_from_camera});
   }
-  const Reference& reference = references_[nearest.id];
-  result->alignment = Align(*backend_, {*reference.pyramid, *current}, initial, options_.alignment);
-  result->times.residual_ms = result->alignment.times.residual_ms;
-  result->times.jacobian_ms = result->alignment.times.jacobian_ms;
-  result->times.update_ms = result->alignment.times.update_ms;
-  Judge(reference, result);
+  views.front().anchor_from_reference = {};  // exactly
+  result->alignment = Align(*backend_, views, current, initial, options_.alignment);
+  result->times.residual_ms += result->alignment.times.residual_ms;
+  result->times.jacobian_ms += result->alignment.times.jacobian_ms;
+  result->times.update_ms += result->alignment.times.update_ms;
+  Judge(references_[nearest.front()], result);
 }
 
 void KeyframeTracker::Judge(const Reference& reference, TrackedFrame* result) const {
-  const double left = 2 * result->alignment.final_cost().mean();  // mean r²
+  const double left = result->alignment.final_cost().mean_square();
   if (!result->alignment.ok) {
     result->message = "lost: " + result->alignment.failure;
   } else if (left > options_.max_unexplained_variance * reference.variance) {
@@ -148,11 +188,12 @@ void KeyframeTracker::MakeKeyframe(const Frame& frame, Image<float> intensity,
   const Stopwatch watch(&result->times.pyramid_ms);
   const int id = int(keyframes_.size());
   references_.push_back(
-      {backend_->MakeReference(intensity, frame.depth_m, camera_, options_.alignment.levels()),
+      {backend_->MakeReference(intensity, frame.depth_m, camera_, options_.alignment.Pyramids()),
        Variance(intensity)});
   keyframes_.push_back({id, frame, std::move(intensity), world_from_camera_});
   result->new_keyframe = true;
   if (id == 0) {
+    time_s_ = frame.time_s;
     result->status = TrackingStatus::kTracked;
     result->keyframe_id = id;
   }

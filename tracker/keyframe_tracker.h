@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,10 +69,14 @@ class KeyframeTracker {
   void CheckFrame(const Frame& frame) const;
   Image<float> Gray(const Frame& frame, TrackedFrame* result) const;
   void Localize(const Frame& frame, const Image<float>& intensity, TrackedFrame* result);
-  SE3d InitialPose(const Keyframe& nearest, const Frame& frame, const Image<float>& intensity,
-                   TrackedFrame* result);
-  void Refine(const Keyframe& nearest, const Image<float>& intensity, const SE3d& initial,
+  SE3d Predicted(double time_s) const;
+  bool Initialize(const Keyframe& nearest, const Frame& frame, const Image<float>& intensity,
+                  TrackedFrame* result);
+  std::unique_ptr<CurrentPyramid> MakeCurrent(const Frame& frame, const Image<float>& intensity,
+                                              TrackedFrame* result) const;
+  void Refine(const std::vector<int>& nearest, const CurrentPyramid& current, const SE3d& initial,
               TrackedFrame* result);
+  void Accept(const SE3d& world_from_camera, double time_s);
   void Judge(const Reference& reference, TrackedFrame* result) const;
   bool NeedsNewKeyframe(const TrackedFrame& result) const;
   void MakeKeyframe(const Frame& frame, Image<float> intensity, TrackedFrame* result);
@@ -83,6 +88,8 @@ class KeyframeTracker {
   std::vector<Keyframe> keyframes_;
   std::vector<Reference> references_;  // of keyframes_
   SE3d world_from_camera_;             // of the last tracked frame
+  double time_s_ = 0;                  // of that frame
+  std::optional<Twistd> velocity_;     // per second, in its camera's frame; nothing when unknown
   int frame_index_ = 0;
 };
 

@@ -9,20 +9,37 @@ namespace silt::tracker {
 
 // Cost over the pixels that a pose lets both images see. Intensities are in [0, 1].
 struct PhotometricCost {
-  double sum = 0;           // ½ Σ r², the paper's cost (eq. 8)
+  double sum = 0;           // ½ Σ r², the paper's cost (eq. 8), or Σρ of another norm
   std::int64_t pixels = 0;  // how many residuals there are
+  double squares = 0;       // Σ r², whatever the norm
 
   // The cost by which poses are compared: a sum also falls by losing pixels.
   double mean() const { return pixels > 0 ? sum / double(pixels) : 0; }
+  double mean_square() const { return pixels > 0 ? squares / double(pixels) : 0; }
   bool operator==(const PhotometricCost&) const = default;
+
+  PhotometricCost& operator+=(const PhotometricCost& other) {
+    sum += other.sum;
+    pixels += other.pixels;
+    squares += other.squares;
+    return *this;
+  }
 };
 
-// Sums over pixels for eq. 17; parameters in the order ξ = (ω, v).
+// Sums over pixels for eq. 17; parameters in the order ξ = (ω, v). With a norm that is not ½r²,
+// each pixel has its weight.
 struct NormalEquations {
   std::array<double, 21> hessian{};  // JᵀJ, its upper triangle row by row
   std::array<double, 6> gradient{};  // Jᵀr
   PhotometricCost cost;
   bool operator==(const NormalEquations&) const = default;
+
+  NormalEquations& operator+=(const NormalEquations& other) {
+    for (std::size_t i = 0; i < hessian.size(); ++i) hessian[i] += other.hessian[i];
+    for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] += other.gradient[i];
+    cost += other.cost;
+    return *this;
+  }
 };
 
 }  // namespace silt::tracker

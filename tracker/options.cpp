@@ -33,12 +33,17 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.damping_factor", damping_factor, 1, 1e6);
   CheckRange("alignment.min_update_norm", min_update_norm, 0, 1);
   CheckRange("alignment.min_overlap", min_overlap, 0, 1);
+  CheckRange("alignment.depth_edge_margin_px", depth_edge_margin_px, 0, 100);
+  CheckRange("alignment.robust_scale", robust_scale, 0, 1e6);
+  CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
 }
 
 void KeyframeOptions::Validate() const {
   CheckRange("keyframes.max_distance_m", max_distance_m, 0, 1e6);
   CheckRange("keyframes.max_rotation_deg", max_rotation_deg, 0, 540);
   CheckRange("keyframes.min_measured_depth", min_measured_depth, 0, 1);
+  CheckRange("keyframes.metres_per_radian", metres_per_radian, 0, 1e3);
+  CheckRange("keyframes.joint", joint, 1, 100);
 }
 
 void TrackerOptions::Validate() const {
@@ -52,6 +57,30 @@ TrackerOptions PaperPreset() { return {}; }
 TrackerOptions PaperAllPixelsPreset() {
   TrackerOptions options = PaperPreset();
   options.alignment.exclude_hidden = false;
+  return options;
+}
+
+TrackerOptions AccuratePreset() {
+  TrackerOptions options;
+  options.alignment.max_iterations = {6, 6, 10, 10};
+  options.alignment.use_current_depth = true;
+  options.alignment.depth_edge_margin_px = 2;
+  options.alignment.robust_scale = 2.5;
+  options.alignment.robust_gradient = 8.0 / 255;
+  options.alignment.min_update_norm = 2e-6;
+  options.keyframes.max_distance_m = 0.2;
+  options.keyframes.max_rotation_deg = 540;
+  options.keyframes.metres_per_radian = 0.3;
+  options.keyframes.joint = 3;
+  options.always_initialize = false;
+  return options;
+}
+
+TrackerOptions FastPreset() {
+  TrackerOptions options = AccuratePreset();
+  options.alignment.max_iterations = {2, 3, 5, 5};
+  options.alignment.min_update_norm = 2e-5;
+  options.keyframes.joint = 1;
   return options;
 }
 

@@ -7,6 +7,12 @@
 
 namespace silt::tracker {
 
+// What is made of an image before it is aligned.
+struct PyramidOptions {
+  int levels = 4;
+  int depth_edge_margin_px = 0;  // pixels nearer to a depth edge at the finest level are left out
+};
+
 // Algorithm 1. Every Validate() throws silt::Error naming the option, its value and its range.
 struct AlignmentOptions {
   // Solves per pyramid level at most, rejected ones included, from the finest level (the paper's
@@ -20,9 +26,20 @@ struct AlignmentOptions {
   // front of them, as far as the keyframe's depth tells. The paper does not say over which pixels
   // eq. 8 runs; over a hidden one, I_c(W) shows another surface.
   bool exclude_hidden = true;
+  // The rest is not the paper's. Where the current image has a depth too, that tells what is
+  // hidden, and the edges of both depths are left out.
+  bool use_current_depth = false;
+  int depth_edge_margin_px = 0;
+  // Geman-McClure's norm, see kernel/robust_norm.h: c in multiples of the residuals' own scale,
+  // which is estimated at each level, and g in intensity per pixel. 0: squares. Each trial pose is
+  // then linearized at once.
+  double robust_scale = 0;
+  double robust_gradient = 0;
   bool keep_log = false;  // one AlignmentStep per solve
 
   int levels() const { return int(max_iterations.size()); }
+  bool robust() const { return robust_scale > 0 || robust_gradient > 0; }
+  PyramidOptions Pyramids() const { return {levels(), depth_edge_margin_px}; }
   void Validate() const;
 };
 
@@ -31,6 +48,10 @@ struct KeyframeOptions {
   double max_distance_m = 0.13;     // from every keyframe; beyond it: a new one
   double max_rotation_deg = 30;     // |rx| + |ry| + |rz| since the last created keyframe
   double min_measured_depth = 0.1;  // of the pixels; a frame with less cannot be a keyframe
+  // Not the paper's: a turn counts as so much of a displacement where distances are compared, and a
+  // frame is aligned with so many of the nearest keyframes at once.
+  double metres_per_radian = 0;
+  int joint = 1;
 
   void Validate() const;
 };
@@ -41,6 +62,9 @@ struct TrackerOptions {
   // Lost where the residuals keep more than this share of the keyframe's variance of intensity:
   // 0 for a perfect match, 2 for two unrelated images.
   double max_unexplained_variance = 0.6;
+  // The initializer gives every frame its start (§3.2), or serves only to find a lost camera again;
+  // the start is then the pose that follows from an even motion.
+  bool always_initialize = true;
   std::uint64_t seed = 0;  // of the initializer's random draws
 
   void Validate() const;
@@ -50,7 +74,13 @@ struct TrackerOptions {
 // the comments of the options and of tracker/kernel.
 TrackerOptions PaperPreset();
 
-// The same with eq. 8 over every pixel that lands in the current image, hidden ones too.
+// Ours: robust alignment with three keyframes at once, clear of depth edges.
+TrackerOptions AccuratePreset();
+// The same with one keyframe and fewer iterations.
+TrackerOptions FastPreset();
+
+// The same as the paper's with eq. 8 over every pixel that lands in the current image, hidden ones
+// too.
 TrackerOptions PaperAllPixelsPreset();
 
 }  // namespace silt::tracker

@@ -22,8 +22,8 @@ AlignmentResult AlignRoom(const SE3d& initial, const AlignmentOptions& options =
   const View current =
       RenderRoom(kReferencePose * kCurrentFromReference.Inverse(), kSmallCamera, pattern);
   const auto pyramid = backend->MakeReference(reference.intensity, reference.depth_m, kSmallCamera,
-                                              options.levels());
-  const auto current_pyramid = backend->MakeCurrent(current.intensity, options.levels());
+                                              {options.levels()});
+  const auto current_pyramid = backend->MakeCurrent(current.intensity, {}, {options.levels()});
   return Align(*backend, {*pyramid, *current_pyramid}, initial, options);
 }
 
@@ -80,8 +80,8 @@ TEST(AlignmentRecovery, HiddenPixelsDoNotPullThePose) {
     options.max_iterations = {10, 10, 20};
     options.exclude_hidden = exclude_hidden;
     const auto pyramid = backend->MakeReference(reference.intensity, reference.depth_m,
-                                                kSmallCamera, options.levels());
-    const auto current_pyramid = backend->MakeCurrent(current.intensity, options.levels());
+                                                kSmallCamera, {options.levels()});
+    const auto current_pyramid = backend->MakeCurrent(current.intensity, {}, {options.levels()});
     const AlignmentResult result = Align(*backend, {*pyramid, *current_pyramid}, start, options);
     EXPECT_TRUE(result.ok) << result.failure;
     return Distance(result.current_from_reference, current_from_reference);
@@ -89,6 +89,63 @@ TEST(AlignmentRecovery, HiddenPixelsDoNotPullThePose) {
   // What is left comes of the board's own edges, as coarse as this image is.
   EXPECT_LT(error(true), 6e-3);
   EXPECT_GT(error(false), 1e-2);
+}
+
+AlignmentOptions RobustOptions() {
+  AlignmentOptions options = AccuratePreset().alignment;
+  options.max_iterations = {20, 20, 20};
+  options.depth_edge_margin_px = 1;  // of a small image
+  return options;
+}
+
+// The board again, with a lamp of the room switched off in one corner of the current image.
+TEST(AlignmentRecovery, RobustWeightsDoNotHeedWhatChanged) {
+  const SE3d current_from_reference = SE3d::Exp({{0, 0.02, 0}, {0.12, 0.03, 0}});
+  const SE3d start = SE3d::Exp({{0.004, -0.004, 0}, {-0.02, 0.01, 0.01}}) * current_from_reference;
+  const std::unique_ptr<Backend> backend = MakeCpuBackend();
+  const View reference = RenderRoomWithBoard({});
+  View current = RenderRoomWithBoard(current_from_reference.Inverse());
+  for (int y = 0; y < 50; ++y) {
+    for (int x = 0; x < 50; ++x) current.intensity(x, y) *= 0.4f;
+  }
+  const auto error = [&](const AlignmentOptions& options) {
+    const auto pyramid = backend->MakeReference(reference.intensity, reference.depth_m,
+                                                kSmallCamera, options.Pyramids());
+    const auto current_pyramid =
+        backend->MakeCurrent(current.intensity, current.depth_m, options.Pyramids());
+    const AlignmentResult result = Align(*backend, {*pyramid, *current_pyramid}, start, options);
+    EXPECT_TRUE(result.ok) << result.failure;
+    return Distance(result.current_from_reference, current_from_reference);
+  };
+  AlignmentOptions squares = RobustOptions();
+  squares.robust_scale = squares.robust_gradient = 0;
+  EXPECT_LT(error(RobustOptions()), 2e-3);
+  EXPECT_GT(error(squares), 5e-3);
+}
+
+// Two references, each in its own frame, and an anchor that is neither.
+TEST(AlignmentRecovery, SeveralReferencesDetermineOnePose) {
+  const SE3d room_from_anchor = kReferencePose, current_from_anchor = kCurrentFromReference;
+  const SE3d anchor_from_reference[2] = {SE3d::Exp({{0.02, -0.03, 0.01}, {0.05, 0.02, -0.04}}),
+                                         SE3d::Exp({{-0.03, 0.01, 0.02}, {-0.04, 0.03, 0.03}})};
+  const std::unique_ptr<Backend> backend = MakeCpuBackend();
+  const AlignmentOptions options = RobustOptions();
+  std::vector<std::unique_ptr<ReferencePyramid>> pyramids;
+  std::vector<ReferenceView> views;
+  for (const SE3d& pose : anchor_from_reference) {
+    const View view = RenderRoom(room_from_anchor * pose, kSmallCamera);
+    pyramids.push_back(
+        backend->MakeReference(view.intensity, view.depth_m, kSmallCamera, options.Pyramids()));
+    views.push_back({*pyramids.back(), pose});
+  }
+  const View current = RenderRoom(room_from_anchor * current_from_anchor.Inverse(), kSmallCamera);
+  const auto current_pyramid =
+      backend->MakeCurrent(current.intensity, current.depth_m, options.Pyramids());
+  const SE3d start = SE3d::Exp({{0.02, 0.01, -0.01}, {0.03, -0.02, 0.04}}) * current_from_anchor;
+  const AlignmentResult result = Align(*backend, views, *current_pyramid, start, options);
+  ASSERT_TRUE(result.ok) << result.failure;
+  EXPECT_LT(Distance(result.current_from_reference, current_from_anchor), 3e-4);
+  EXPECT_LT(Angle(result.current_from_reference, current_from_anchor), 1e-4);
 }
 
 TEST(AlignmentRecovery, CostsFallAtEveryLevel) {

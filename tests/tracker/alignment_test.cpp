@@ -36,20 +36,23 @@ class FakeBackend : public Backend {
 
   std::string name() const override { return "fake"; }
   std::unique_ptr<ReferencePyramid> MakeReference(const Image<float>&, const Image<float>&,
-                                                  const PinholeCamera&, int) const override {
+                                                  const PinholeCamera&,
+                                                  const PyramidOptions&) const override {
     return nullptr;
   }
-  std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>&, int) const override {
+  std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>&, const Image<float>&,
+                                              const PyramidOptions&) const override {
     return nullptr;
   }
-  std::unique_ptr<ReferencePyramid> WithoutHidden(const ReferencePyramid& reference, int,
+  std::unique_ptr<ReferencePyramid> WithoutHidden(const ImagePair& pair, int,
                                                   const SE3d&) const override {
-    return std::make_unique<ReferencePyramid>(reference);
+    return std::make_unique<ReferencePyramid>(pair.reference);
   }
   PhotometricCost Cost(const ImagePair&, int level, const SE3d& pose) const override {
     return cost_(level, pose.translation.x);
   }
-  NormalEquations Linearize(const ImagePair&, int level, const SE3d& pose) const override {
+  NormalEquations Linearize(const ImagePair&, int level, const SE3d& pose,
+                            const ResidualNorm&) const override {
     ++linearizations;
     NormalEquations result = equations;
     result.cost = Cost({FakeReference({}), CurrentPyramid()}, level, pose);
@@ -74,7 +77,7 @@ AlignmentResult AlignFake(const FakeBackend& backend, const AlignmentOptions& op
                           int measured = 1000) {
   const FakeReference reference(std::vector<int>(std::size_t(options.levels()), measured));
   const CurrentPyramid current;
-  return Align(backend, {reference, current}, SE3d{}, options);
+  return Align(backend, ImagePair{reference, current}, SE3d{}, options);
 }
 
 PhotometricCost FallingCost(int, double x) { return {10 - x, 1000}; }

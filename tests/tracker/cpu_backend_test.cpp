@@ -10,6 +10,7 @@
 #include "analytic_room.h"
 #include "silt/core/parallel.h"
 #include "silt/tracker/kernel/image_sampler.h"
+#include "silt/tracker/kernel/robust_norm.h"
 #include "silt/tracker/kernel/sums.h"
 
 namespace silt::tracker {
@@ -24,8 +25,9 @@ struct Pair {
   int levels;
   std::unique_ptr<Backend> backend = MakeCpuBackend();
   std::unique_ptr<ReferencePyramid> reference_pyramid =
-      backend->MakeReference(reference.intensity, reference.depth_m, camera, levels);
-  std::unique_ptr<CurrentPyramid> current_pyramid = backend->MakeCurrent(current.intensity, levels);
+      backend->MakeReference(reference.intensity, reference.depth_m, camera, {levels});
+  std::unique_ptr<CurrentPyramid> current_pyramid =
+      backend->MakeCurrent(current.intensity, {}, {levels});
 
   NormalEquations Linearize(const SE3d& pose, int level = 0) const {
     return backend->Linearize({*reference_pyramid, *current_pyramid}, level, pose);
@@ -110,6 +112,80 @@ TEST(CpuBackend, TheGradientIsThatOfTheCost) {
     const double analytic = equations.gradient[i] / double(equations.cost.pixels);
     EXPECT_NEAR(analytic, numeric, 0.05 * std::abs(numeric) + 2e-4) << i;
   }
+}
+
+// Pixel after pixel in double precision, each with its weight.
+TEST(CpuBackend, RobustEquationsAreTheWeightedSums) {
+  const Pair pair = RoomPair(kSmallCamera, 1);
+  const SE3d pose = SE3d::Exp({{0.004, 0.003, -0.002}, {0.01, -0.01, 0.02}}) * kMotion;
+  const ResidualNorm norm{0.02, 0.01};
+  const kernel::RobustNorm<double> bounds{1 / (0.02 * 0.02), 1 / (0.01 * 0.01)};
+  const kernel::Warp<double> warp(pose, pair.camera);
+  const kernel::ImageSampler<double> sampler{pair.current.intensity.data(), 160, 120};
+  kernel::Sums<double> weighted;
+  double cost = 0, squares = 0;
+  for (int i = 0; i < 160 * 120; ++i) {
+    const int x = i % 160, y = i / 160;
+    kernel::LinearizedResidual<double> pixel = kernel::Linearize<double>(
+        warp, sampler,
+        {double(x), double(y), pair.reference.depth_m(x, y), pair.reference.intensity(x, y)});
+    const auto weight = kernel::Weigh(bounds, pixel.residual, pixel.gradient_squared);
+    cost += 0.5 * weight.s * pixel.residual * pixel.residual;
+    squares += pixel.residual * pixel.residual;
+    for (double& j : pixel.jacobian) j *= weight.root;
+    pixel.residual *= weight.root;
+    weighted.Add(pixel);
+  }
+  const NormalEquations actual =
+      pair.backend->Linearize({*pair.reference_pyramid, *pair.current_pyramid}, 0, pose, norm);
+  EXPECT_LT(cost, 0.4 * squares);  // the norm matters here
+  EXPECT_NEAR(actual.cost.sum, cost, 1e-4 * cost);
+  EXPECT_NEAR(actual.cost.squares, squares, 1e-4 * squares);
+  for (int k = 0; k < 21; ++k) {
+    EXPECT_NEAR(actual.hessian[k], weighted.hessian[k], 1e-4 * weighted.hessian[0]) << k;
+  }
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_NEAR(actual.gradient[k], weighted.gradient[k],
+                1e-3 * std::sqrt(weighted.hessian[0] * squares))
+        << k;
+  }
+}
+
+// A board that moves before the wall: the current depth tells which of the wall's pixels it covers.
+TEST(CpuBackend, TheCurrentDepthHidesWhatLiesBehindIt) {
+  const SE3d motion{{}, {0.25, 0, 0}};
+  const View reference = RenderRoomWithBoard({}), current = RenderRoomWithBoard(motion.Inverse());
+  const auto backend = MakeCpuBackend();
+  const auto full =
+      backend->MakeReference(reference.intensity, reference.depth_m, kSmallCamera, {2});
+  const auto seen = backend->MakeCurrent(current.intensity, current.depth_m, {2});
+  ASSERT_TRUE(seen->has_depth());
+  for (const int level : {0, 1}) {
+    const auto visible = backend->WithoutHidden({*full, *seen}, level, motion);
+    const PhotometricCost before = backend->Cost({*full, *seen}, level, motion);
+    const PhotometricCost after = backend->Cost({*visible, *seen}, level, motion);
+    EXPECT_LT(after.pixels, before.pixels) << level;
+    EXPECT_GT(after.pixels, before.pixels * 2 / 3) << level;
+    EXPECT_LT(after.mean(), 0.3 * before.mean()) << level;
+  }
+}
+
+TEST(CpuBackend, NothingIsComparedBesideDepthEdges) {
+  const View board = RenderRoomWithBoard({});
+  const auto backend = MakeCpuBackend();
+  const auto cost = [&](int reference_margin, int current_margin) {
+    const auto reference =
+        backend->MakeReference(board.intensity, board.depth_m, kSmallCamera, {1, reference_margin});
+    const auto current = backend->MakeCurrent(board.intensity, board.depth_m, {1, current_margin});
+    return backend->Cost({*reference, *current}, 0, SE3d{});
+  };
+  const std::int64_t all = cost(0, 0).pixels;
+  const std::int64_t without_edges = cost(2, 0).pixels;
+  EXPECT_LT(without_edges, all - 500);
+  EXPECT_LT(cost(0, 2).pixels, all - 500);
+  // Bilinear interpolation reads one pixel more to the right and below.
+  EXPECT_LE(cost(2, 2).pixels, without_edges);
+  EXPECT_GT(cost(2, 2).pixels, without_edges - 600);
 }
 
 TEST(CpuBackend, TheBitsDoNotDependOnTheNumberOfThreads) {

@@ -82,6 +82,19 @@ TEST(NearestKeyframe, GoesByPositionAlone) {
   EXPECT_EQ(NearestKeyframe(keyframes, Pose({9, 0, 0})), 2);
 }
 
+TEST(NearestKeyframes, ATurnMayCountAsADisplacement) {
+  std::vector<Keyframe> keyframes(3);
+  keyframes[0].world_from_camera = SE3d{Quaterniond::Exp({0, 0.5, 0}), {0, 0, 0}};
+  keyframes[1].world_from_camera = SE3d{{}, {0.1, 0, 0}};
+  keyframes[2].world_from_camera = SE3d{{}, {5, 0, 0}};
+  KeyframeOptions options;
+  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 2), (std::vector<int>{0, 1}));
+  options.metres_per_radian = 0.3;
+  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 1), std::vector<int>{1});
+  // The third is too far away to help.
+  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 3), (std::vector<int>{1, 0}));
+}
+
 TEST(NearestKeyframe, TheEarlierOfTwoAtTheSameDistance) {
   EXPECT_EQ(NearestKeyframe(KeyframesAt({Pose({0.5, 0, 0}), Pose({-0.5, 0, 0})}), kOrigin), 0);
 }

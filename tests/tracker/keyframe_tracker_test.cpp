@@ -49,6 +49,16 @@ struct ScriptedInitializer : Initializer {
   int* calls = &own_calls;
 };
 
+// The same answer whatever the frame.
+struct FrameInitializer : Initializer {
+  InitialEstimate Estimate(const InitializerInput&) override {
+    ++*calls;
+    return {answer, 50, 40, 1.5};
+  }
+  std::optional<SE3d> answer;
+  int* calls = nullptr;
+};
+
 TEST(KeyframeTracker, TheFirstFrameIsTheFirstKeyframe) {
   KeyframeTracker tracker = MakeTracker();
   const TrackedFrame first = tracker.Track(RoomFrame(kStart, 1.5));
@@ -208,6 +218,61 @@ TEST(KeyframeTracker, InvalidOptionsAreAnError) {
   options.keyframes.max_distance_m = -1;
   EXPECT_THROW(MakeTracker(nullptr, options), Error);
 }
+
+class OwnPreset : public testing::TestWithParam<TrackerOptions> {};
+
+// With the time between frames, an even motion foretells the next pose.
+TEST_P(OwnPreset, FollowsAWalkWithoutAnInitializer) {
+  int calls = 0;
+  auto initializer = std::make_unique<ScriptedInitializer>();
+  initializer->calls = &calls;
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  KeyframeTracker tracker = MakeTracker(std::move(initializer), options);
+  for (int i = 0; i < 25; ++i) {
+    const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
+    ASSERT_EQ(tracked.status, TrackingStatus::kTracked) << i << ": " << tracked.message;
+    EXPECT_LT(Distance(tracked.world_from_camera, TruePose(i)), 4e-3) << i;
+  }
+  EXPECT_EQ(calls, 0);
+  EXPECT_GT(tracker.keyframes().size(), 2u);
+}
+
+// Without the time between frames nothing can be foretold: each alignment starts a step behind.
+TEST_P(OwnPreset, StartsWhereAnEvenMotionLeads) {
+  const auto start_cost = [&](double frame_time_s) {
+    TrackerOptions options = GetParam();
+    options.alignment.max_iterations.pop_back();
+    options.alignment.robust_scale = options.alignment.robust_gradient = 0;
+    KeyframeTracker tracker = MakeTracker(nullptr, options);
+    double sum = 0;
+    for (int i = 0; i < 8; ++i) {
+      const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(i), frame_time_s * i));
+      if (i >= 2) sum += tracked.alignment.levels.front().initial_cost.mean();
+    }
+    return sum;
+  };
+  EXPECT_LT(start_cost(0.1), 0.1 * start_cost(0));
+}
+
+// A jump to where the walk goes on: lost, until the features say where.
+TEST_P(OwnPreset, AsksTheInitializerWhereLost) {
+  int calls = 0;
+  auto initializer = std::make_unique<FrameInitializer>();
+  initializer->calls = &calls;
+  initializer->answer = TruePose(24).Inverse() * TruePose(0);
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  KeyframeTracker tracker = MakeTracker(std::move(initializer), options);
+  tracker.Track(RoomFrame(TruePose(0), 0));
+  const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(24), 0.1));
+  EXPECT_EQ(calls, 1);
+  ASSERT_EQ(tracked.status, TrackingStatus::kTracked) << tracked.message;
+  EXPECT_LT(Distance(tracked.world_from_camera, TruePose(24)), 1e-2);
+}
+
+INSTANTIATE_TEST_SUITE_P(KeyframeTracker, OwnPreset,
+                         testing::Values(AccuratePreset(), FastPreset()));
 
 TEST(KeyframeTracker, TheBitsDoNotDependOnTheNumberOfThreads) {
   const auto run = [](int threads) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "analytic_room.h"
 #include "silt/core/error.h"
 #include "silt/tracker/cpu_reduction.h"
@@ -24,21 +26,34 @@ TEST(SimdLevel, NamesAreReadBack) {
   EXPECT_THROW(SimdLevelFromName("mmx"), Error);
 }
 
+constexpr ResidualNorm kNorm{0.03, 0.05};
+
 // A width that leaves lanes of a block and of every batch empty, and one that leaves none.
 TEST(SimdLevel, AllGiveTheSameBits) {
   for (const int width : {160, 171, 339}) {
     const PinholeCamera camera{120, 125, 0.5 * (width - 1), 40, width, 83};
     const SE3d motion = SE3d::Exp({{0.02, -0.03, 0.05}, {0.05, -0.02, 0.04}});
-    const View reference = RenderRoom({}, camera), current = RenderRoom(motion.Inverse(), camera);
-    const LevelImages images{camera, reference.intensity, reference.depth_m, current.intensity};
+    const View reference = RenderRoomWithBoard({}, camera);
+    const View current = RenderRoomWithBoard(motion.Inverse(), camera);
+    const LevelImages images{camera, reference.intensity, reference.depth_m, current.intensity,
+                             &current.depth_m};
     const CpuReduction baseline(SimdLevel::kBaseline);
     const NormalEquations expected = baseline.Equations(images, SE3d{});
     EXPECT_GT(expected.cost.pixels, width * 83 / 2);
     EXPECT_EQ(baseline.Cost(images, SE3d{}), expected.cost);
+    const NormalEquations robust = baseline.Equations(images, SE3d{}, kNorm);
+    EXPECT_LT(robust.cost.sum, 0.9 * expected.cost.sum);
+    EXPECT_EQ(robust.cost.squares, expected.cost.squares);
+    const SE3d moved{{}, {0.3, 0, 0}};
+    const Image<float> visible = baseline.VisibleDepth(images, moved);
+    EXPECT_GT(std::count(visible.begin(), visible.end(), 0.0f), 0);
     for (const SimdLevel level : SupportedSimdLevels()) {
       const CpuReduction reduction(level);
       EXPECT_EQ(reduction.Equations(images, SE3d{}), expected) << Name(level) << " " << width;
       EXPECT_EQ(reduction.Cost(images, SE3d{}), expected.cost) << Name(level) << " " << width;
+      EXPECT_EQ(reduction.Equations(images, SE3d{}, kNorm), robust) << Name(level) << " " << width;
+      const Image<float> depth_m = reduction.VisibleDepth(images, moved);
+      EXPECT_TRUE(std::equal(depth_m.begin(), depth_m.end(), visible.begin())) << Name(level);
     }
   }
 }

@@ -15,7 +15,7 @@ namespace silt::tracker::kernel {
 template <typename T>
 struct WarpedSample {
   Sample<T> sample;  // I_c(W) and ∇I_c(W)
-  Mask<T> valid;     // in front, and all four pixels around W inside the image
+  Mask<T> valid;     // in front, and all four pixels around W inside the image and not NaN
 };
 
 template <typename T, typename Sampler>
@@ -28,7 +28,8 @@ SILT_HOST_DEVICE inline WarpedSample<T> SampleCurrent(const WarpedPixel<T>& warp
   const T v = Select(valid, warped.v, T(0));
   const T x = floor(u);
   const T y = floor(v);
-  return {Bilinear(sampler(x, y), u - x, v - y), valid};
+  const Sample<T> sample = Bilinear(sampler(x, y), u - x, v - y);
+  return {sample, valid && sample.value == sample.value};
 }
 
 // r = I_c(W) − I_r (eq. 12) and its derivative by ξ = (ω, v) of exp(ξ)·T_cr at ξ = 0; zeros where
@@ -37,6 +38,7 @@ template <typename T>
 struct LinearizedResidual {
   T residual;
   T jacobian[6];
+  T gradient_squared;  // |∇I_c(W)|²
   Mask<T> valid;
 };
 
@@ -64,9 +66,12 @@ SILT_HOST_DEVICE inline LinearizedResidual<T> Linearize(const Warp<T>& warp, con
   const Vec3<T> point{Select(valid, p.x, zero), Select(valid, p.y, zero), Select(valid, p.z, zero)};
   const Vec3<T> j{a, b, -(a * point.x + b * point.y) * warped.inverse_z};
   const Vec3<T> w = Cross(point, j);
-  return {Select(valid, current.sample.value - pixel.intensity, zero),
-          {w.x, w.y, w.z, j.x, j.y, j.z},
-          valid};
+  return {
+      Select(valid, current.sample.value - pixel.intensity, zero),
+      {w.x, w.y, w.z, j.x, j.y, j.z},
+      Select(valid, current.sample.du * current.sample.du + current.sample.dv * current.sample.dv,
+             zero),
+      valid};
 }
 
 }  // namespace silt::tracker::kernel

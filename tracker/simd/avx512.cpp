@@ -6,7 +6,7 @@ namespace silt::tracker::simd {
 
 Kernels Avx512Kernels() {
   using Rows = RowKernel<xsimd::avx512f>;
-  return {Rows::AddEquations, Rows::AddCost};
+  return {Rows::AddEquations, Rows::AddCost, Rows::AddRobustEquations, Rows::CopyVisible};
 }
 
 }  // namespace silt::tracker::simd

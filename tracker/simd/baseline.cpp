@@ -6,7 +6,7 @@ namespace silt::tracker::simd {
 
 Kernels BaselineKernels() {
   using Rows = RowKernel<xsimd::default_arch>;
-  return {Rows::AddEquations, Rows::AddCost};
+  return {Rows::AddEquations, Rows::AddCost, Rows::AddRobustEquations, Rows::CopyVisible};
 }
 
 }  // namespace silt::tracker::simd

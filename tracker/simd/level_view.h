@@ -18,12 +18,15 @@ struct LevelView {
   const float* reference_intensity;
   const float* reference_depth_m;
   const float* current_intensity;
+  const float* current_depth_m;       // null where there is none
   float rotation[9], translation[3];  // current_from_reference, row by row
   float fx, fy, cx, cy, inverse_fx, inverse_fy;
+  float inverse_gradient_squared, inverse_scale_squared;  // see kernel/robust_norm.h
 };
 
-// 21 of JᵀJ, its upper triangle row by row, 6 of Jᵀr, Σr², and the number of pixels.
-inline constexpr int kSquaresSum = 27, kCountSum = 28, kSumCount = 29;
+// 21 of JᵀJ, its upper triangle row by row, 6 of Jᵀr, Σr², the number of pixels, and Σs·r² of the
+// robust norm.
+inline constexpr int kSquaresSum = 27, kCountSum = 28, kRobustSum = 29, kSumCount = 30;
 
 // Sums over some rows, lane by lane: single precision within a row, double from row to row.
 struct LaneSums {

@@ -7,6 +7,7 @@
 #include "silt/tracker/simd/batch.h"
 // The kernels use what batch.h declares.
 #include "silt/tracker/kernel/residual.h"
+#include "silt/tracker/kernel/robust_norm.h"
 #include "silt/tracker/simd/kernels.h"
 
 namespace silt::tracker::simd {
@@ -18,12 +19,10 @@ template <typename Arch>
 class RowKernel {
  public:
   static void AddEquations(const LevelView& view, int begin, int end, LaneSums* sums) {
-    const RowKernel kernel(view);
-    for (int y = begin; y < end; ++y) {
-      RowSums row;
-      for (int x = 0; x < kernel.padded_width_; x += kChunk) kernel.AddChunk(x, y, &row);
-      for (int k = 0; k < kSumCount; ++k) Add(row.value[k], sums->value[k]);
-    }
+    RowKernel(view).template AddRows<false>(begin, end, sums);
+  }
+  static void AddRobustEquations(const LevelView& view, int begin, int end, LaneSums* sums) {
+    RowKernel(view).template AddRows<true>(begin, end, sums);
   }
 
   static void AddCost(const LevelView& view, int begin, int end, LaneSums* sums) {
@@ -36,13 +35,28 @@ class RowKernel {
     }
   }
 
+  static void CopyVisible(const LevelView& view, int begin, int end, float* depth_m) {
+    const RowKernel kernel(view);
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < view.width; x += kBatch) {
+        alignas(64) float visible[kBatch];
+        kernel.VisibleDepth(x, y).store_aligned(visible);
+        float* out = depth_m + y * view.width + x;
+        for (int i = 0; i < kBatch && x + i < view.width; ++i) out[i] = visible[i];
+      }
+    }
+  }
+
  private:
   using Batch = xsimd::batch<float, Arch>;
   static constexpr int kBatch = int(Batch::size);
   static constexpr int kChunk = 20 * kLanes;  // pixels
-  static constexpr int kProducts = kCountSum;
-  // AVX-512 keeps all 28 sums in its 32 registers; others have 16 and go over a chunk twice.
-  static constexpr int kProductsAtOnce = kBatch == 16 ? kProducts : kProducts / 2;
+  // Of the columns of J and r, but for r², which counts without the weight of a robust norm.
+  static constexpr int kProducts = kSquaresSum;
+  // AVX-512 keeps all 27 sums in its 32 registers; others have 16 and go over a chunk twice.
+  static constexpr int kProductsAtOnce = kBatch == 16 ? kProducts : 14;
+  // A point hides what lies farther behind it than this share of its depth.
+  static constexpr float kDepthMargin = 0.03f;
 
   // The columns of J, and r: 0 where there is no residual.
   struct Chunk {
@@ -56,6 +70,7 @@ class RowKernel {
       : view_(view),
         warp_(MakeWarp(view)),
         sampler_{view.current_intensity, view.width, view.height},
+        norm_{Batch(view.inverse_gradient_squared), Batch(view.inverse_scale_squared)},
         columns_(Columns()),
         padded_width_((view.width + kLanes - 1) / kLanes * kLanes) {}
 
@@ -95,31 +110,57 @@ class RowKernel {
             Load(view_.reference_intensity + y * view_.width, x, view_.width)};
   }
 
+  template <bool kRobust>
+  void AddRows(int begin, int end, LaneSums* sums) const {
+    for (int y = begin; y < end; ++y) {
+      RowSums row;
+      for (int x = 0; x < padded_width_; x += kChunk) AddChunk<kRobust>(x, y, &row);
+      for (int k = 0; k < kSumCount; ++k) Add(row.value[k], sums->value[k]);
+    }
+  }
+
+  template <bool kRobust>
   void AddChunk(int begin, int y, RowSums* row) const {
     const int end = begin + kChunk < padded_width_ ? begin + kChunk : padded_width_;
     Chunk chunk;
-    LinearizeChunk(begin, end, y, &chunk, row);
+    LinearizeChunk<kRobust>(begin, end, y, &chunk, row);
     for (int lane = 0; lane < kLanes; lane += kBatch) {
       AddProducts<0>(chunk, lane, end - begin, row, FirstProducts{});
       if constexpr (kProductsAtOnce < kProducts) {
-        AddProducts<kProductsAtOnce>(chunk, lane, end - begin, row, FirstProducts{});
+        AddProducts<kProductsAtOnce>(chunk, lane, end - begin, row, OtherProducts{});
       }
     }
   }
 
+  // The columns of a robust norm are √w·J and √w·r.
+  template <bool kRobust>
   [[gnu::flatten]] void LinearizeChunk(int begin, int end, int y, Chunk* chunk,
                                        RowSums* row) const {
     for (int x = begin; x < end; x += kBatch) {
       const kernel::LinearizedResidual<Batch> pixel =
           kernel::Linearize(warp_, sampler_, Pixels(x, y));
-      for (int i = 0; i < 6; ++i) pixel.jacobian[i].store_aligned(chunk->column[i] + (x - begin));
-      pixel.residual.store_aligned(chunk->column[6] + (x - begin));
-      Add(Select(pixel.valid, Batch(1.0f), Batch(0.0f)), row->value[kCountSum] + x % kLanes);
+      const int at = x - begin, lane = x % kLanes;
+      const Batch squares = pixel.residual * pixel.residual;
+      Batch root(1.0f);
+      if constexpr (kRobust) {
+        const kernel::RobustWeight<Batch> weight =
+            kernel::Weigh(norm_, pixel.residual, pixel.gradient_squared);
+        root = weight.root;
+        Add(weight.s * squares, row->value[kRobustSum] + lane);
+      }
+      for (int i = 0; i < 6; ++i) {
+        (kRobust ? root * pixel.jacobian[i] : pixel.jacobian[i])
+            .store_aligned(chunk->column[i] + at);
+      }
+      (kRobust ? root * pixel.residual : pixel.residual).store_aligned(chunk->column[6] + at);
+      Add(squares, row->value[kSquaresSum] + lane);
+      Add(Select(pixel.valid, Batch(1.0f), Batch(0.0f)), row->value[kCountSum] + lane);
     }
   }
 
   // Adds the products First + K… of the lanes [lane, lane + kBatch).
   using FirstProducts = std::make_integer_sequence<int, kProductsAtOnce>;
+  using OtherProducts = std::make_integer_sequence<int, kProducts - kProductsAtOnce>;
   template <int First, int... K>
   static void AddProducts(const Chunk& chunk, int lane, int pixels, RowSums* row,
                           std::integer_sequence<int, K...>) {
@@ -131,7 +172,7 @@ class RowKernel {
     (sums[K].store_aligned(row->value[First + K] + lane), ...);
   }
 
-  // The columns whose product belongs to sum k: see kSquaresSum.
+  // The columns whose product is sum k: see kSquaresSum.
   static constexpr int Left(int k) {
     if (k >= 21) return k - 21;
     int row = 0;
@@ -143,6 +184,28 @@ class RowKernel {
     int row = 0;
     for (; k >= 6 - row; ++row) k -= 6 - row;
     return row + k;
+  }
+
+  // The reference's depth, or 0 where the current image shows something nearer in its place.
+  [[gnu::flatten]] Batch VisibleDepth(int x, int y) const {
+    const kernel::ReferencePixel<Batch> pixel = Pixels(x, y);
+    const kernel::WarpedPixel<Batch> warped = kernel::WarpPixel(warp_, pixel);
+    const Batch u = warped.u + Batch(0.5f), v = warped.v + Batch(0.5f), zero(0.0f);
+    const auto inside = warped.front && u >= zero && v >= zero && u < Batch(float(view_.width)) &&
+                        v < Batch(float(view_.height));
+    const Batch seen_m = NearestCurrentDepth(Select(inside, u, zero), Select(inside, v, zero));
+    const auto hidden = inside && seen_m > Batch(kernel::kMinDepth) &&
+                        warped.point.z > Batch(1 + kDepthMargin) * seen_m;
+    return Select(hidden, zero, pixel.depth_m);
+  }
+
+  Batch NearestCurrentDepth(const Batch& x, const Batch& y) const {
+    using Indices = xsimd::batch<std::int32_t, Arch>;
+    alignas(64) std::int32_t at[kBatch];
+    alignas(64) float values[kBatch];
+    (xsimd::to_int(y) * Indices(view_.width) + xsimd::to_int(x)).store_aligned(at);
+    for (int i = 0; i < kBatch; ++i) values[i] = view_.current_depth_m[at[i]];
+    return Batch::load_aligned(values);
   }
 
   [[gnu::flatten]] void AddCostOfRow(int y, RowSums* row) const {
@@ -164,6 +227,7 @@ class RowKernel {
   const LevelView& view_;
   const kernel::Warp<Batch> warp_;
   const BatchSampler<Arch> sampler_;
+  const kernel::RobustNorm<Batch> norm_;
   const Batch columns_;  // 0, 1, 2, …
   const int padded_width_;
 };

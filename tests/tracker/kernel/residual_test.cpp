@@ -80,7 +80,7 @@ TEST_F(RampResidual, WhatIsNotValidAddsNothing) {
 
 TEST(Sums, AreTheUpperTriangleTheGradientAndTheCost) {
   Sums<double> sums;
-  const LinearizedResidual<double> a{2, {1, 2, 3, 4, 5, 6}, true};
+  const LinearizedResidual<double> a{2, {1, 2, 3, 4, 5, 6}, 0, true};
   sums.Add(a);
   sums.Add(a);
   int k = 0;

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/tracker/residual_scale.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "silt/core/random.h"
+#include "silt/tracker/kernel/robust_norm.h"
+
+namespace silt::tracker {
+namespace {
+
+// The expectation as an integral, by the trapezoidal rule.
+TEST(MeanRobustSquare, IsTheExpectation) {
+  for (const double k : {0.5, 1.0, 2.5, 10.0, 19.9, 20.1, 40.0}) {
+    double sum = 0;
+    const double step = 1e-3;
+    for (double e = -10; e <= 10; e += step) {
+      sum += step * e * e / (1 + e * e / (k * k)) * std::exp(-e * e / 2) / std::sqrt(2 * M_PI);
+    }
+    EXPECT_NEAR(MeanRobustSquare(k), sum, 2e-5) << k;
+  }
+}
+
+// The cost of `outliers` residuals of size 1 among Gaussian ones.
+PhotometricCost CostOf(double sigma, int outliers, double c) {
+  constexpr int kCount = 20000;
+  const CounterRandom random(5, 1);
+  const kernel::RobustNorm<double> norm{0, c > 0 ? 1 / (c * c) : 0};
+  PhotometricCost cost;
+  for (int i = 0; i < kCount; ++i) {
+    const double r = i < outliers ? 1.0 : sigma * random.Normal(std::uint64_t(i));
+    cost.sum += 0.5 * kernel::Weigh(norm, r, 0.0).s * r * r;
+  }
+  cost.pixels = kCount;
+  return cost;
+}
+
+double IteratedScale(double sigma, int outliers) {
+  double scale = ResidualScale(CostOf(sigma, outliers, 0), 0);
+  for (int i = 0; i < 20; ++i) scale = ResidualScale(CostOf(sigma, outliers, 2.5 * scale), 2.5);
+  return scale;
+}
+
+TEST(ResidualScale, IsTheStandardDeviationOfGaussianResiduals) {
+  // 20,000 draws: a standard error of 0.5 %.
+  EXPECT_NEAR(ResidualScale(CostOf(0.01, 0, 0), 0), 0.01, 2e-4);
+  EXPECT_NEAR(IteratedScale(0.01, 0), 0.01, 2e-4);
+}
+
+TEST(ResidualScale, IsHardlyMovedByOutliers) {
+  EXPECT_GT(ResidualScale(CostOf(0.01, 1000, 0), 0), 0.2);
+  EXPECT_LT(IteratedScale(0.01, 1000), 0.0145);
+}
+
+}  // namespace
+}  // namespace silt::tracker

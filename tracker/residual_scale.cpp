@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/tracker/residual_scale.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace silt::tracker {
+
+double MeanRobustSquare(double k) {
+  // k²·E[e²/(k² + e²)] = k²·(1 − k²·E[1/(k² + e²)]), and the last expectation is
+  // √(π/2)/k·exp(k²/2)·erfc(k/√2). Its factors leave the range of a double for large k, where the
+  // series 1 − 3/k² + 15/k⁴ serves.
+  if (k > 20) return 1 - 3 / (k * k) + 15 / (k * k * k * k);
+  const double tail = std::exp(k * k / 2) * std::erfc(k / std::numbers::sqrt2);
+  return k * k * (1 - k * std::sqrt(std::numbers::pi / 2) * tail);
+}
+
+double ResidualScale(const PhotometricCost& cost, double scale_factor) {
+  const double beta = scale_factor > 0 ? MeanRobustSquare(scale_factor) : 1;
+  return std::sqrt(2 * cost.mean() / beta);
+}
+
+}  // namespace silt::tracker
