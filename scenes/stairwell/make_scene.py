@@ -20,7 +20,7 @@ HEAD = """# The stairs and first floor of an old school: a hall of 5.9 m x 2.8 m
 # x east, y north, z up, the lowest floor at z = 0, the corridor's at 3.3. Written by make_scene.py: change the plan there.
 
 name = "Stairwell"
-exposure = 2
+exposure = 2.2
 
 [environment]
 zenith = [0.09, 0.2, 0.43]

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """The corridor: x from 0.2 to 18, y from 0 to 2.4, 3.1 m high; eight doors, tiles to shoulder height, a window at its end."""
 
+import math
+
 from hall import PORTAL, WALL
 from mesh import Mesh
 from writer import Place
@@ -20,11 +22,15 @@ EAST = Place(END, WIDE, 0, -90)          # local x is WIDE - y
 
 def add_corridor(scene):
     long_ = END - START
-    scene.table("quad", "the corridor", name="floor", material="floor", corner=(START, 0, 0), u=(long_, 0, 0), v=(0, WIDE, 0))
-    scene.table("quad", name="ceiling", material="ceiling", corner=(START, WIDE, HEIGHT), u=(long_, 0, 0), v=(0, -WIDE, 0))
+    for i, (x, step) in enumerate(_fields(START, long_, 2.4)):
+        scene.table("quad", "the corridor" if i == 0 else None, name=f"floor {i}", material="floor", corner=(x, 0, 0), u=(step, 0, 0), v=(0, WIDE, 0))
+    for i, (x, step) in enumerate(_fields(START, long_, 3)):
+        scene.table("quad", name=f"ceiling {i}", material="ceiling", corner=(x, WIDE, HEIGHT), u=(step, 0, 0), v=(0, -WIDE, 0))
     for name, wall, left in (("north", NORTH, START), ("south", SOUTH, -END)):
-        scene.quad(f"tiles {name}", "tiles", wall, (left, 0, 0), (long_, 0, 0), (0, 0, DADO))
-        scene.quad(f"wall {name}", "wall", wall, (left, 0, DADO), (long_, 0, 0), (0, 0, HEIGHT - DADO))
+        for i, (x, step) in enumerate(_fields(left, long_, 1.8)):
+            scene.quad(f"tiles {name} {i}", "tiles", wall, (x, 0, 0), (step, 0, 0), (0, 0, DADO))
+        for i, (x, step) in enumerate(_fields(left, long_, 2.4)):
+            scene.quad(f"wall {name} {i}", "wall", wall, (x, 0, DADO), (step, 0, 0), (0, 0, HEIGHT - DADO))
     for name, y, doors in (("north", WIDE - 0.006, NORTH_DOORS), ("south", 0.006, SOUTH_DOORS)):
         gaps = sorted([(x - 0.5, x + 0.5) for x, _ in doors] + BUILT_IN[name])
         edges = [START + 0.01, *(edge for gap in gaps for edge in gap), END]
@@ -39,6 +45,12 @@ def add_corridor(scene):
     _portal_leaves(scene)
     _lamps(scene)
     scene.mesh("pipes", _pipes(), Place(0, 0), {"pipe": "pipe", "iron": "iron"})
+
+
+def _fields(start, long_, step):
+    """(start, length) of fields of `step` metres, a whole number of repeats of their picture; the last one shorter."""
+    count = math.ceil(long_ / step)
+    return [(start + i * step, min(step, long_ - i * step)) for i in range(count)]
 
 
 def _door(scene, place, room):
@@ -100,6 +112,6 @@ def _pipes():
         for y, z in PIPES:
             mesh.tube("iron", [(x, y, z), (x + 0.03, y, z)], 0.031, 10)
         mesh.tube("iron", [(x + 0.015, 0.002, HEIGHT - 0.13), (x + 0.015, 0.22, HEIGHT - 0.13)], 0.007, 6)
-    for x in (3.3, 11.4):
+    for x in (3.66, 11.4):
         mesh.tube("pipe", [(x, 0.06, 0.75), (x, 0.06, HEIGHT - 0.19)], 0.016, 8)
     return mesh

@@ -35,10 +35,10 @@ def _boards(scene):
     _board(scene, "planner", "planner", (0.9, 0.63), SOUTH, -2.3, 1.48)
     for i, (wall, picture, w, h, x, z) in enumerate((
             (NORTH, "poster concert", 0.5, 0.714, 1.35, 1.5), (SOUTH, "poster map", 0.95, 0.77, -6.75, 1.85), (NORTH, "timetable", 0.6, 0.43, 5.85, 1.6),
-            (SOUTH, "poster pinhole", 0.5, 0.7, -9.75, 1.5), (NORTH, "poster chart", 0.84, 0.6, 9.9, 1.95), (SOUTH, "timetable", 0.6, 0.43, -3.6, 1.55),
-            (NORTH, "poster concert", 0.5, 0.714, 12.1, 1.5), (NORTH, "poster map", 0.74, 0.6, 14.3, 1.55), (SOUTH, "poster chart", 0.7, 0.5, -11.95, 1.55),
-            (NORTH, "paper 3", 0.21, 0.297, 3.55, 1.6), (SOUTH, "paper 6", 0.21, 0.297, -7.95, 1.55), (SOUTH, "paper 1", 0.21, 0.297, -5.45, 1.6),
-            (NORTH, "paper 8", 0.21, 0.297, 7.75, 1.55), (NORTH, "escape plan", 0.42, 0.297, 16.1, 1.55))):
+            (SOUTH, "poster pinhole", 0.5, 0.7, -9.75, 1.5), (NORTH, "poster chart", 0.84, 0.6, 9.9, 1.95), (SOUTH, "timetable", 0.6, 0.43, -3.2, 1.55),
+            (NORTH, "poster concert", 0.5, 0.714, 12.1, 1.5), (NORTH, "poster map", 0.74, 0.6, 14.3, 1.55), (SOUTH, "poster chart", 0.5, 0.357, -11.88, 1.55),
+            (NORTH, "paper 3", 0.21, 0.297, 3.55, 1.6), (SOUTH, "paper 6", 0.21, 0.297, -7.75, 1.55), (SOUTH, "paper 1", 0.21, 0.297, -5.45, 1.6),
+            (NORTH, "paper 8", 0.21, 0.297, 7.75, 1.55), (NORTH, "escape plan", 0.42, 0.297, 16.3, 1.55))):
         pinned(scene, f"poster {i}", picture, (w, h), wall, (x, 0, z))
     framed(scene, "year 1", "class photo 1", (0.54, 0.42), NORTH, (0.78, 0, 2.4), "handrail", 0.025)
     framed(scene, "year 2", "class photo 2", (0.54, 0.42), SOUTH, (-13.0, 0, 2.35), "handrail", 0.025)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """The hall of the stairs: its walls, landings, windows and light. x from -5.9 to 0, y from -0.2 to 2.6, three storeys."""
 
+import math
+
 from pieces import framed
 from writer import Place
 
@@ -38,7 +40,7 @@ def _east_wall(scene):
     place = Place(WALL / 2, 0)
     for name, a, b, low, high in (("south", SOUTH_Y, y0, LOW, HIGH), ("north", y1, NORTH_Y, LOW, HIGH), ("above", y0, y1, top, HIGH),
                                   ("below", y0, y1, LOW, -0.2)):
-        scene.box(f"hall wall east {name}", "hall wall", (WALL, b - a, high - low), place, (0, (a + b) / 2, low))
+        _pier(scene, f"hall wall east {name}", WALL, (a, b), (low, high), place)
     middle = (y0 + y1) / 2
     scene.box("threshold", "tread", (WALL, y1 - y0, 0.2), place, (0, middle, -0.2))
     for name, y in (("south", y0 + 0.04), ("north", y1 - 0.04)):
@@ -48,12 +50,21 @@ def _east_wall(scene):
     scene.model("exit sign", "emergencySign", EAST, (1.4, -0.02, top + 0.1))
 
 
+def _pier(scene, name, thick, across, upright, place):
+    """A tall part of a wall, in pieces as high as its picture, since light is stored coarsely on long thin faces."""
+    (y0, y1), (low, high) = across, upright
+    tile = 2.1
+    for i in range(math.ceil((high - low) / tile)):
+        z = low + i * tile
+        scene.box(f"{name} {i}", "hall wall", (thick, y1 - y0, min(tile, high - z)), place, (0, (y0 + y1) / 2, z))
+
+
 def _west_wall(scene):
     a, b = WINDOW_Y
     place = Place(WEST_X - 0.15, 0)
     edges = [LOW, *(z for pair in WINDOWS for z in pair), HIGH]
     for name, y0, y1 in (("south", SOUTH_Y, a), ("north", b, NORTH_Y)):
-        scene.box(f"hall wall west {name}", "hall wall", (0.3, y1 - y0, HIGH - LOW), place, (0, (y0 + y1) / 2, LOW))
+        _pier(scene, f"hall wall west {name}", 0.3, (y0, y1), (LOW, HIGH), place)
     for i in range(0, len(edges), 2):
         scene.box(f"hall wall west {i}", "hall wall", (0.3, b - a, edges[i + 1] - edges[i]), place, (0, (a + b) / 2, edges[i]))
     for i, (z0, z1) in enumerate(WINDOWS):
@@ -103,11 +114,11 @@ def _pictures(scene):
 
 def _light(scene):
     """The sky high over the west windows, globes on rods from the ceilings."""
-    scene.table("light", "light", name="sky west", center=(-8.0, 1.2, 9.3), u=(0, 3, 0), v=(1.5, 0, 0.45), radiance=(84, 90, 100))
+    scene.table("light", "light", name="sky west", center=(-8.0, 1.2, 9.3), u=(0, 3, 0), v=(1.5, 0, 0.45), radiance=(105, 112, 124))
     globes = ((-0.8, 2.5, STOREY - 0.2), (-0.8, 5.7, HIGH), (-5.15, 1.05, STOREY / 2 - 0.2), (-5.15, 4.25, 1.5 * STOREY - 0.2))
     for i, (x, z, top) in enumerate(globes):
         place, radius = Place(x, 1.2, z), 0.13
         scene.sphere(f"globe {i}", "globe", radius, place, (0, 0, 0), 32)
         scene.cylinder(f"globe rod {i}", "iron", 0.01, top - z - radius + 0.005, place, (0, 0, radius - 0.005), 8)
         for side, v in (("down", -0.1), ("up", 0.1)):
-            scene.table("light", name=f"globe light {i} {side}", center=(x, 1.2, z + 1.45 * v), u=(0.1, 0, 0), v=(0, v, 0), radiance=(44, 39, 29))
+            scene.table("light", name=f"globe light {i} {side}", center=(x, 1.2, z + 1.45 * v), u=(0.1, 0, 0), v=(0, v, 0), radiance=(64, 57, 43))
