@@ -12,6 +12,7 @@
 #include "silt/experiments/interrupt.h"
 #include "silt/experiments/progress.h"
 #include "silt/experiments/resources.h"
+#include "silt/experiments/sensor_options.h"
 #include "silt/sim/path_file.h"
 
 namespace silt::experiments {
@@ -82,8 +83,8 @@ Json RenderPlan::ToJson() const {
             {"row_time_s", options.shutter.row_time_s},
             {"filter", options.filter == sim::PixelFilter::kBox ? "box" : "gaussian"},
             {"pattern", options.pattern == sim::PixelPattern::kShared ? "shared" : "scrambled"},
-            {"noise", options.sensor.noise.index() == 0 ? "none" : "handa"},
             {"seeds", noise_seeds.empty() ? std::vector{options.seed} : noise_seeds}};
+  json.update(SensorJson(options));
   json.update(stretch.ToJson());
   return json;
 }
@@ -99,11 +100,13 @@ void ForEachFrame(const World& world, const RenderPlan& plan,
     // Of the whole path, so that a stretch has the noise that it has within the whole.
     const auto index = std::uint32_t(std::llround(truth.time_s * plan.stretch.fps));
     const Image<Vec3f> linear = renderer.RenderLinear(world.Pose(), truth.time_s, int(index));
-    const Image<float> depth_m = renderer.RenderDepth(world.Pose(), truth.time_s);
+    const sim::GeometryBuffers geometry = renderer.RenderGeometry(world.Pose(), truth.time_s);
     rendered.truth = truth;
     for (const std::uint64_t seed : seeds) {
       rendered.seed = seed;
-      rendered.frame = {truth.time_s, renderer.Develop(linear, {seed, index}), depth_m};
+      const sim::NoiseKey key{seed, index};
+      rendered.frame = {truth.time_s, renderer.Develop(linear, key),
+                        renderer.MeasureDepth(geometry, key)};
       visit(rendered);
     }
     ++rendered.number;

@@ -50,7 +50,7 @@ RenderPlan SimulationOptions::Plan() const {
   plan.options.shutter.row_time_s = RowSeconds(row_time_us, plan.options.camera.height, fps);
   if (filter == "gaussian") plan.options.filter = sim::PixelFilter::kGaussian;
   if (pattern == "scrambled") plan.options.pattern = sim::PixelPattern::kScrambled;
-  if (noise == "handa") plan.options.sensor.noise = sim::HandaNoise{};
+  sensor.Apply(plan.options);
   plan.options.seed = seed;
   plan.stretch = {fps, start_s, duration_s};
   return plan;
@@ -103,13 +103,11 @@ void AddSimulationOptions(CLI::App& command, SimulationOptions& o, bool required
                         "Samples of the pixels: shared (no noise) or scrambled (no ghosts)")
             ->check(CLI::IsMember({"shared", "scrambled"}))
             ->capture_default_str());
-  group(command.add_option("--noise", o.noise, "Noise of the colours: handa or none")
-            ->check(CLI::IsMember({"handa", "none"}))
-            ->capture_default_str());
   RequireInteger(
       group(command.add_option("--seed", o.seed, "Seed of all randomness")->capture_default_str()),
       0, 9223372036854775807LL);
   integer("--threads", o.threads, 0, 1024, "Threads; 0: one per processor");
+  AddSensorOptions(command, o.sensor);
 }
 
 }  // namespace silt::experiments

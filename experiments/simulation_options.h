@@ -6,6 +6,7 @@
 #include <string>
 
 #include "silt/experiments/case_runner.h"
+#include "silt/experiments/sensor_options.h"
 
 namespace CLI {
 class App;
@@ -19,8 +20,9 @@ struct SimulationOptions {
   double fps = 60, start_s = 0, duration_s = 0;
   int samples_per_pixel = 4, time_samples = 16, width = 640;
   double row_time_us = 0;
-  std::string blur = "0", noise = "none", filter = "box", pattern = "shared";
+  std::string blur = "0", filter = "box", pattern = "shared";
   std::string light = "baked";
+  SensorCommandOptions sensor;
   std::uint64_t seed = 0;
   int threads = 0;
 

@@ -81,6 +81,11 @@ Tracked TrackFolder(const Options& options) {
 
 Tracked TrackSimulation(const Options& options) {
   const RenderPlan plan = options.simulation.Plan();
+  if (!plan.options.lens.IsNone()) {
+    throw Error(
+        "--lens: the tracker takes pictures of a pinhole camera; render to a folder and "
+        "undistort them first");
+  }
   const World world = LoadWorld(options.simulation.scene, options.simulation.trajectory,
                                 options.simulation.Lighting());
   Tracked tracked;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "silt/core/error.h"
 #include "silt/core/parallel.h"
@@ -15,6 +16,8 @@ namespace {
 
 // A pixel shows at most so much more than it would at the centre, in area; beyond lies a fold.
 constexpr double kLargestStretch = 100;
+constexpr int kChecksBetween = 8;
+constexpr Vec2d kFolded{std::numeric_limits<double>::quiet_NaN(), 0};
 
 [[noreturn]] void FailAt(const LensDistortion& lens, int x, int y) {
   char text[200];
@@ -26,22 +29,23 @@ constexpr double kLargestStretch = 100;
   throw Error(text);
 }
 
-double Length(const Vec2d& v) { return std::hypot(v.x, v.y); }
-
 // The derivative is symmetric: positive definite where the picture is neither folded nor turned.
 bool Unfolded(const LensDistortion& lens, const Vec2d& p) {
   const auto derivative = lens.DistortDerivative(p);
   return derivative.xx > 0 && derivative.Determinant() > 1 / kLargestStretch;
 }
 
-// Whether `next` is the inverse of `distorted` on the same sheet as its neighbour `p`: before a
-// fold, a true step is less than twice its linear prediction at p; across one, it is more.
+// Whether `next` is the inverse of `distorted` on the same sheet as its neighbour `p`: no fold lies
+// between them.
 bool Continues(const LensDistortion& lens, const Vec2d& p, const Vec2d& next,
                const Vec2d& distorted) {
-  const double predicted = Length(lens.NewtonStep(p, distorted) - p);
-  return Unfolded(lens, p) && Unfolded(lens, next) &&
-         Length(lens.Distort(next) - distorted) < 1e-12 * (1 + Length(distorted)) &&
-         Length(next - p) <= 2 * predicted + 1e-12;
+  const Vec2d error = lens.Distort(next) - distorted;
+  const double scale = 1 + std::hypot(distorted.x, distorted.y);
+  if (!(std::hypot(error.x, error.y) < 1e-12 * scale)) return false;
+  for (int i = 0; i <= kChecksBetween; ++i) {
+    if (!Unfolded(lens, p + (double(i) / kChecksBetween) * (next - p))) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -51,8 +55,9 @@ LensMap::LensMap(const PinholeCamera& camera, const LensDistortion& lens)
   const int middle_x = int(std::clamp(std::round(camera.cx), 0.0, camera.width - 1.0));
   const int middle_y = int(std::clamp(std::round(camera.cy), 0.0, camera.height - 1.0));
   At(middle_x, middle_y) = Reach(middle_x, middle_y);
-  for (int y = middle_y; y > -1; --y)
+  for (int y = middle_y; y > -1; --y) {
     At(middle_x, y - 1) = Continue(middle_x, y - 1, At(middle_x, y));
+  }
   for (int y = middle_y; y < camera.height; ++y) {
     At(middle_x, y + 1) = Continue(middle_x, y + 1, At(middle_x, y));
   }
@@ -61,13 +66,29 @@ LensMap::LensMap(const PinholeCamera& camera, const LensDistortion& lens)
     for (int x = middle_x; x > -1; --x) At(x - 1, y) = Continue(x - 1, y, At(x, y));
     for (int x = middle_x; x < camera_.width; ++x) At(x + 1, y) = Continue(x + 1, y, At(x, y));
   });
+  RequireUnfolded();
 }
 
 Vec2d LensMap::Continue(int x, int y, const Vec2d& neighbour) const {
   const Vec2d distorted = Distorted(x, y);
   const Vec2d p = lens_.Undistort(distorted, neighbour);
-  if (!Continues(lens_, neighbour, p, distorted)) FailAt(lens_, x, y);
-  return p;
+  return Continues(lens_, neighbour, p, distorted) ? p : kFolded;
+}
+
+// Tells of the pixel nearest the centre, the same whichever thread found its row folded first.
+void LensMap::RequireUnfolded() const {
+  double nearest = std::numeric_limits<double>::infinity();
+  int folded_x = 0, folded_y = 0;
+  for (int y = -1; y <= camera_.height; ++y) {
+    for (int x = -1; x <= camera_.width; ++x) {
+      const double distance = std::hypot(x - camera_.cx, y - camera_.cy);
+      if (!std::isnan(centers_(x + 1, y + 1).x) || distance >= nearest) continue;
+      nearest = distance;
+      folded_x = x;
+      folded_y = y;
+    }
+  }
+  if (std::isfinite(nearest)) FailAt(lens_, folded_x, folded_y);
 }
 
 Vec2d LensMap::Reach(int x, int y) const {
@@ -78,7 +99,7 @@ Vec2d LensMap::Reach(int x, int y) const {
   for (int i = 1; i <= steps; ++i) {
     const Vec2d target = (double(i) / steps) * distorted;
     const Vec2d next = lens_.Undistort(target, p);
-    if (!Continues(lens_, p, next, target)) FailAt(lens_, x, y);
+    if (!Continues(lens_, p, next, target)) return kFolded;
     p = next;
   }
   return p;

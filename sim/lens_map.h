@@ -22,10 +22,12 @@ class LensMap {
   Vec2d Distorted(double u, double v) const {
     return {(u - camera_.cx) / camera_.fx, (v - camera_.cy) / camera_.fy};
   }
-  // The undistorted point of pixel (x, y), reached from that of a pixel next to it.
+  // The undistorted point of pixel (x, y), reached from that of a pixel next to it; not a number
+  // beyond a fold.
   Vec2d Continue(int x, int y, const Vec2d& neighbour) const;
   // The same from the centre of distortion, in steps of a pixel.
   Vec2d Reach(int x, int y) const;
+  void RequireUnfolded() const;
   Vec2d& At(int x, int y) { return centers_(x + 1, y + 1); }
 
   PinholeCamera camera_;

@@ -33,10 +33,12 @@ Renderer::Renderer(Scene scene, const RenderOptions& options, const LightingOpti
     : Renderer(std::make_shared<const LitScene>(std::move(scene), lighting), options) {}
 
 Renderer::Renderer(std::shared_ptr<const LitScene> scene, const RenderOptions& options)
-    : lit_(std::move(scene)), options_(options), sensor_(options.sensor, options.camera) {
-  options_.Validate();
-  if (!options.lens.IsNone()) lens_ = std::make_shared<LensMap>(options.camera, options.lens);
-}
+    : lit_(std::move(scene)),
+      options_((options.Validate(), options)),
+      lens_(options.lens.IsNone() ? nullptr
+                                  : std::make_shared<LensMap>(options.camera, options.lens)),
+      sensor_(options.sensor, options.camera, lens_.get()),
+      depth_sensor_(MakeDepthSensor(options.depth_sensor)) {}
 
 Image<Vec3f> Renderer::RenderLinear(const PoseAtTime& world_from_camera, double time_s,
                                     int frame_index) const {
@@ -83,10 +85,14 @@ Image<Rgb8> Renderer::Develop(Image<Vec3f> radiance, const NoiseKey& key) const 
   return sensor_.Develop(std::move(radiance), lit_->scene().exposure, key);
 }
 
+Image<float> Renderer::MeasureDepth(const GeometryBuffers& truth, const NoiseKey& key) const {
+  return depth_sensor_->Measure({options_.camera, lens_.get(), truth}, key);
+}
+
 Frame Renderer::Render(const PoseAtTime& world_from_camera, double time_s, int frame_index) const {
   const NoiseKey key{options_.seed, std::uint32_t(frame_index)};
   return {time_s, Develop(RenderLinear(world_from_camera, time_s, frame_index), key),
-          RenderDepth(world_from_camera, time_s)};
+          MeasureDepth(RenderGeometry(world_from_camera, time_s), key)};
 }
 
 }  // namespace silt::sim

@@ -9,6 +9,7 @@
 #include "silt/core/frame.h"
 #include "silt/core/lens.h"
 #include "silt/core/se3.h"
+#include "silt/sim/depth_sensor.h"
 #include "silt/sim/exposure_rays.h"
 #include "silt/sim/geometry_buffers.h"
 #include "silt/sim/lens_map.h"
@@ -23,9 +24,10 @@ struct RenderOptions {
   PixelFilter filter = PixelFilter::kBox;
   PixelPattern pattern = PixelPattern::kShared;
   Shutter shutter = {};
-  SensorOptions sensor = {};  // of the colours; depth is exact
-  std::uint64_t seed = 0;     // of the noise and of scrambled patterns
-  LensDistortion lens = {};   // that colours and depth are seen through
+  SensorOptions sensor = {};             // of the colours
+  DepthSensorOptions depth_sensor = {};  // perfect
+  std::uint64_t seed = 0;                // of the noise of both and of scrambled patterns
+  LensDistortion lens = {};              // that colours and depth are seen through
 
   void Validate() const;  // throws silt::Error
 };
@@ -39,7 +41,7 @@ class Renderer {
   // Shares a scene whose light is there already.
   Renderer(std::shared_ptr<const LitScene> scene, const RenderOptions& options);
 
-  // Colours averaged over the exposure about `time_s`; depth at `time_s` itself.
+  // Colours averaged over the exposure about `time_s`; depth at `time_s` itself, as measured.
   Frame Render(const PoseAtTime& world_from_camera, double time_s, int frame_index) const;
 
   // Mean linear radiance of each pixel over the exposure, without noise. The frame's index only
@@ -54,6 +56,9 @@ class Renderer {
 
   // What the sensor makes of radiance, at the scene's exposure.
   Image<Rgb8> Develop(Image<Vec3f> radiance, const NoiseKey& key) const;
+
+  // What the depth sensor measures of geometry that was rendered, in metres.
+  Image<float> MeasureDepth(const GeometryBuffers& truth, const NoiseKey& key) const;
 
   // z of what the ray through each pixel's centre meets, in metres; 0: nothing.
   Image<float> RenderDepth(const SE3d& world_from_camera) const;
@@ -74,8 +79,9 @@ class Renderer {
 
   std::shared_ptr<const LitScene> lit_;
   RenderOptions options_;
-  Sensor sensor_;
   std::shared_ptr<const LensMap> lens_;  // null without distortion
+  Sensor sensor_;
+  std::shared_ptr<const DepthSensor> depth_sensor_;
 };
 
 }  // namespace silt::sim

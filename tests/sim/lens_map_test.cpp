@@ -64,9 +64,9 @@ TEST(LensMap, TakesACentreOutsideThePicture) {
   EXPECT_NEAR(seen.y, 20, 1e-11);
 }
 
-std::string Complaint(const LensDistortion& lens) {
+std::string Complaint(const LensDistortion& lens, const PinholeCamera& camera = kCamera) {
   try {
-    const LensMap map(kCamera, lens);
+    const LensMap map(camera, lens);
   } catch (const Error& error) {
     return error.what();
   }
@@ -84,6 +84,8 @@ TEST(LensMap, RefusesCoefficientsThatFoldThePicture) {
     EXPECT_THAT(said, testing::HasSubstr("fold the picture at pixel (")) << lens.k1;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 0);
   }
+  // Between two pixels of a coarse picture.
+  EXPECT_NE(Complaint({-3, 3.2, 0, 0, 0}, {3, 3, 7.5, 5.5, 16, 12}), "");
   EXPECT_EQ(Complaint({-0.3, 0.1, 0, 0, 0}), "");
   EXPECT_EQ(Complaint({5, 2, 0, 0, 1}), "");
 }

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <variant>
-
 #include "silt/core/image.h"
 #include "silt/core/vector.h"
+#include "silt/sim/noise_key.h"
 
 namespace silt::sim {
 
@@ -19,15 +17,6 @@ struct HandaNoise {
   Vec3d sigma_read{0.0045, 0.0038, 0.0050};
 
   void Validate() const;  // throws silt::Error
-};
-
-// The first of them: none.
-using NoiseModel = std::variant<std::monostate, HandaNoise>;
-
-// What must differ for two pictures to have independent noise.
-struct NoiseKey {
-  std::uint64_t seed = 0;
-  std::uint32_t frame = 0;
 };
 
 // Adds noise to a signal (values outside [0, 1] count as saturated). A pixel's noise is a function

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the silt authors
 // SPDX-License-Identifier: MIT
-#include "silt/sim/sensor_noise.h"
+#include "silt/sim/handa_noise.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "silt/core/error.h"
 #include "silt/core/parallel.h"
-#include "silt/core/random.h"
 
 namespace silt::sim {
 
@@ -24,12 +23,12 @@ float Noisy(float signal, double sigma_shot, double sigma_read, double normal) {
 void HandaNoise::Validate() const {
   for (const Vec3d& sigma : {sigma_shot, sigma_read}) {
     const bool good = sigma.x >= 0 && sigma.y >= 0 && sigma.z >= 0 && Norm(sigma) <= 1;
-    if (!good) throw Error("sensor noise: each standard deviation must be from 0 to 1");
+    if (!good) throw Error("handa noise: each standard deviation must be from 0 to 1");
   }
 }
 
 void AddNoise(const HandaNoise& model, const NoiseKey& key, Image<Vec3f>& signal) {
-  const CounterRandom random(key.seed, key.frame);
+  const CounterRandom random = NoiseStream(key, NoiseUse::kColour);
   ParallelFor(signal.height(), [&](int y) {
     std::uint64_t index = 3 * std::uint64_t(y) * std::uint64_t(signal.width());
     for (int x = 0; x < signal.width(); ++x, index += 3) {
