@@ -16,8 +16,9 @@ from materials import add_materials  # noqa: E402
 from plan import write_scene  # noqa: E402
 from stairs import add_stairs  # noqa: E402
 
-HEAD = """# The stairs and first floor of an old school: a hall of 5.9 m x 2.8 m over three storeys, a corridor of 18 m x 2.4 m.
-# x east, y north, z up, the lowest floor at z = 0, the corridor's at 3.3. Written by make_scene.py: change the plan there.
+HEAD = """# The stairs and first floor of an old school: a hall of 5.9 m x 2.8 m over three storeys, a corridor of 18 m x
+# 2.4 m. x east, y north, z up, the lowest floor at z = 0, the corridor's at 3.3. Written by make_scene.py: change
+# the plan there.
 
 name = "Stairwell"
 exposure = 2.2

@@ -107,7 +107,8 @@ def _leaf(draw, foot, angle, length, color):
     for t in (0.3, 0.5, 0.7):
         x, y = foot[0] + ax * length * t, foot[1] + ay * length * t
         for side in (1, -1):
-            draw.line((x, y, x + 0.16 * length * (ax - side * ay), y + 0.16 * length * (ay + side * ax)), fill=dark, width=2)
+            draw.line((x, y, x + 0.16 * length * (ax - side * ay), y + 0.16 * length * (ay + side * ax)), fill=dark,
+                      width=2)
 
 
 def _berries(draw, x, y):
@@ -178,11 +179,14 @@ def rug():
     out = np.zeros((height, width, 3))
     out[:] = (128, 34, 36)
     _field(out, u, v)
-    for low, high, color in ((0, 26, (34, 40, 70)), (3, 5, (206, 178, 120)), (21, 23, (206, 178, 120)), (25, 27, (206, 178, 120))):
+    for low, high, color in ((0, 26, (34, 40, 70)), (3, 5, (206, 178, 120)), (21, 23, (206, 178, 120)),
+                             (25, 27, (206, 178, 120))):
         out[(inside >= low) & (inside < high)] = color
     _border(out, u, v, inside)
-    knots = np.asarray(Image.fromarray(to_bytes(out)).resize((width // 4, height // 4), Image.BOX).resize((width, height), Image.NEAREST))
-    pile = 1.0 + 0.10 * spectral((height, width), 211, 0.2, low=60) + 0.05 * spectral((height, width), 212, 1.3, (4.0, 1.0))
+    knots = np.asarray(Image.fromarray(to_bytes(out)).resize((width // 4, height // 4),
+                                                             Image.BOX).resize((width, height), Image.NEAREST))
+    pile = 1.0 + 0.10 * spectral((height, width), 211, 0.2, low=60) + 0.05 * spectral((height, width), 212, 1.3,
+            (4.0, 1.0))
     abrash = 1.0 + 0.05 * np.sin(v / 9.0 + 1.5 * spectral((height, width), 213, 1.8))
     rug_ = knots * (pile * abrash)[..., None]
     fringe = np.abs(u) > width / 8 - 5
@@ -200,7 +204,8 @@ def _field(out, u, v):
     out[flower > 1.08] = (222, 192, 132)
     out[(flower > 0.92) & (flower <= 1.08)] = (40, 62, 82)
     petal = 1 + 0.10 * np.cos(8 * angle)
-    for radius, color in ((52, (34, 40, 70)), (48, (206, 178, 120)), (46, (34, 40, 70)), (32, (176, 92, 60)), (29, (222, 204, 160)),
+    for radius, color in ((52, (34, 40, 70)), (48, (206, 178, 120)), (46, (34, 40, 70)), (32, (176, 92, 60)),
+                          (29, (222, 204, 160)),
                           (20, (128, 34, 36)), (12, (40, 62, 82)), (6, (222, 192, 132))):
         out[r * petal < radius] = color
     dots = (np.cos(16 * angle) > 0.6) & (np.abs(r * petal - 39) < 3.0)
@@ -244,9 +249,11 @@ def linen():
     """Curtain cloth of 0.8 m a side: woven stripes and sprigs on a light ground."""
     n = 512
     y, x = np.mgrid[0:n, 0:n].astype(float)
-    level = 1.0 + 0.06 * spectral((n, n), 231, 0.3, (3.0, 1.0), low=40) + 0.05 * spectral((n, n), 232, 0.3, (1.0, 3.0), low=40)
+    level = 1.0 + 0.06 * spectral((n, n), 231, 0.3, (3.0, 1.0), low=40) + 0.05 * spectral((n, n), 232, 0.3,
+            (1.0, 3.0), low=40)
     rgb = tint(level, (222, 210, 184)).astype(float)
-    for center, wide, color in ((64, 20, (150, 84, 64)), (92, 4, (150, 84, 64)), (36, 4, (150, 84, 64)), (320, 10, (92, 112, 104))):
+    for center, wide, color in ((64, 20, (150, 84, 64)), (92, 4, (150, 84, 64)), (36, 4, (150, 84, 64)),
+                                (320, 10, (92, 112, 104))):
         rgb = mix(rgb, color, 0.8 * (np.abs(x - center) < wide))
     sprig = np.hypot((x - 200) / 1.0, (y % 128 - 64) / 2.2)
     rgb = mix(rgb, (92, 112, 104), 0.85 * (sprig < 11) + 0.85 * (np.hypot((x - 440) / 1.6, (y + 64) % 128 - 64) < 10))

@@ -51,7 +51,8 @@ def sea():
     rgb = mix(rgb, (96, 94, 96), smoothstep(0, 0.006, y - coast[None, :]) * smoothstep(0.512, 0.505, y))
     image = Image.fromarray(to_bytes(rgb))
     draw = ImageDraw.Draw(image)
-    for x, foot, size, hull in ((190, 420, 150, (120, 40, 34)), (430, 370, 90, (40, 46, 60)), (640, 460, 190, (52, 70, 60)),
+    for x, foot, size, hull in ((190, 420, 150, (120, 40, 34)), (430, 370, 90, (40, 46, 60)),
+                                (640, 460, 190, (52, 70, 60)),
                                 (330, 330, 40, (60, 40, 40)), (760, 335, 36, (60, 40, 40))):
         draw.polygon([(x - size * 0.5, foot), (x + size * 0.5, foot), (x + size * 0.34, foot + size * 0.16),
                       (x - size * 0.36, foot + size * 0.16)], fill=hull)
@@ -77,7 +78,8 @@ def field():
     draw, rng = ImageDraw.Draw(image), random.Random(1414)
     for i in range(9):
         cx, tall = 40 + 90 * i + rng.randint(-20, 20), rng.randint(70, 210)
-        draw.ellipse((cx - tall * 0.14, 330 - tall, cx + tall * 0.14, 336), fill=(46 + 8 * (i % 3), 84 + 6 * (i % 4), 52))
+        draw.ellipse((cx - tall * 0.14, 330 - tall, cx + tall * 0.14, 336),
+                     fill=(46 + 8 * (i % 3), 84 + 6 * (i % 4), 52))
     draw.polygon([(560, 330), (560, 276), (604, 240), (648, 276), (648, 330)], fill=(226, 208, 186))
     draw.polygon([(548, 280), (604, 232), (660, 280)], fill=(160, 72, 52))
     return brushed(image, 1415, 11000)
@@ -90,8 +92,10 @@ def still_life():
     rgb = mix((66, 54, 46), (30, 26, 28), np.clip(np.hypot(x - 200, y - 160) / 520, 0, 1))
     cloth = mix((206, 200, 186), (120, 118, 120), smoothstep(-1, 1.5, spectral((height, width), 1421, 1.3, (1.0, 2.0))))
     rgb = mix(rgb, cloth, smoothstep(380, 386, y + 14 * np.sin(x / 70)))
-    for cx, cy, rx, ry, color in ((250, 270, 92, 128, (70, 96, 126)), (250, 150, 40, 60, (70, 96, 126)), (400, 360, 62, 60, (196, 70, 40)),
-                                  (500, 376, 56, 52, (214, 166, 50)), (448, 416, 58, 54, (140, 152, 60)), (330, 430, 50, 46, (190, 90, 46)),
+    for cx, cy, rx, ry, color in ((250, 270, 92, 128, (70, 96, 126)), (250, 150, 40, 60, (70, 96, 126)),
+                                  (400, 360, 62, 60, (196, 70, 40)),
+                                  (500, 376, 56, 52, (214, 166, 50)), (448, 416, 58, 54, (140, 152, 60)),
+                                  (330, 430, 50, 46, (190, 90, 46)),
                                   (570, 420, 44, 40, (120, 36, 50))):
         d = ((x - cx) / rx) ** 2 + ((y - cy) / ry) ** 2
         light = np.clip(1.25 - 0.75 * np.hypot(x - cx + 0.4 * rx, y - cy + 0.4 * ry) / max(rx, ry), 0.25, 1.3)
@@ -105,7 +109,8 @@ def abstract():
     """A composition of planes, arcs and bars."""
     size = 720
     rng = random.Random(1431)
-    colors = ((226, 216, 192), (204, 84, 52), (38, 60, 84), (226, 172, 70), (110, 140, 130), (40, 36, 38), (176, 130, 120))
+    colors = ((226, 216, 192), (204, 84, 52), (38, 60, 84), (226, 172, 70), (110, 140, 130), (40, 36, 38),
+              (176, 130, 120))
     image = Image.new("RGB", (size, size), colors[0])
     draw = ImageDraw.Draw(image)
     for i in range(34):
@@ -118,8 +123,10 @@ def abstract():
         elif i % 4 == 2:
             draw.arc((x - r, y - r, x + r, y + r), rng.randint(0, 180), rng.randint(200, 360), fill=color, width=9)
         else:
-            draw.line((x, y, x + rng.randint(-200, 200), y + rng.randint(-200, 200)), fill=color, width=rng.randint(4, 14))
-    paint = 1.0 + 0.06 * spectral((size, size), 1432, 0.7, (1.0, 3.0)) + 0.03 * spectral((size, size), 1433, 0.2, low=90)
+            draw.line((x, y, x + rng.randint(-200, 200), y + rng.randint(-200, 200)), fill=color,
+                      width=rng.randint(4, 14))
+    paint = 1.0 + 0.06 * spectral((size, size), 1432, 0.7, (1.0, 3.0)) + 0.03 * spectral((size, size), 1433, 0.2,
+            low=90)
     return Image.fromarray(to_bytes(np.asarray(image) * paint[..., None]))
 
 
@@ -138,11 +145,13 @@ def botanical(seed, name):
                 px, py = x + (tip[0] - x) * k / 8, y + (tip[1] - y) * k / 8
                 w = 0.15 * reach * (1 - k / 9)
                 draw.polygon([(px, py), (px + side * w, py - 2.2 * w), (px + 2.0 * side * w, py)], fill=green)
-                draw.polygon([(px, py), (px + side * w, py + 1.6 * w), (px + 2.0 * side * w, py)], fill=tuple(int(0.8 * c) for c in green))
+                draw.polygon([(px, py), (px + side * w, py + 1.6 * w), (px + 2.0 * side * w, py)],
+                             fill=tuple(int(0.8 * c) for c in green))
             draw.line((x, y, *tip), fill=(60, 70, 44), width=2)
     draw.text((200, 496), name, font=font("serif", 22), fill=(60, 52, 44), anchor="mm")
     draw.rectangle((14, 14, 386, 526), outline=(120, 104, 80), width=2)
-    stain = 1.0 - 0.05 * smoothstep(0.6, 2.2, spectral((540, 400), seed + 1, 1.4)) + 0.012 * spectral((540, 400), seed + 2, 0.3)
+    stain = 1.0 - 0.05 * smoothstep(0.6, 2.2, spectral((540, 400), seed + 1, 1.4)) + 0.012 * spectral((540, 400),
+            seed + 2, 0.3)
     return Image.fromarray(to_bytes(np.asarray(image) * stain[..., None]))
 
 
@@ -182,9 +191,11 @@ def music():
                 note = top + 3.5 * rng.randint(-2, 9)
                 draw.ellipse((x - 5, note - 3, x + 4, note + 4), fill=(24, 22, 22))
                 stem = -24 if note > top + 14 else 24
-                draw.line((x + (4 if stem < 0 else -5), note, x + (4 if stem < 0 else -5), note + stem), fill=(24, 22, 22), width=2)
+                draw.line((x + (4 if stem < 0 else -5), note, x + (4 if stem < 0 else -5), note + stem),
+                          fill=(24, 22, 22), width=2)
                 if rng.random() < 0.4:
-                    draw.line((x + 4, note + stem, x + 20, note + stem + rng.randint(-4, 4)), fill=(24, 22, 22), width=4)
+                    draw.line((x + 4, note + stem, x + 20, note + stem + rng.randint(-4, 4)), fill=(24, 22, 22),
+                              width=4)
                 x += rng.choice((14, 18, 18, 26))
         for bar in (30, 150, 270, 390):
             draw.line((bar, 74 + 122 * system, bar, 154 + 122 * system), fill=(40, 38, 36), width=2)
@@ -214,8 +225,10 @@ def garden():
         top = level + swing * spectral((1, size), 1472 + i, 1.2, low=2)[0]
         leaf = 1 + 0.3 * spectral((size, size), 1480 + i, 0.55, low=10) + 0.15 * spectral((size, size), 1490 + i, 1.4)
         ragged = top[None, :] + 0.012 * spectral((size, size), 1500 + i, 0.6, low=12)
-        rgb = mix(rgb, np.asarray(color, float) * np.clip(leaf, 0.3, 1.9)[..., None], smoothstep(0, 0.004, rows - ragged))
-    blades = 1 + 0.12 * spectral((size, size), 1510, 0.4, (0.6, 1.4), low=20) + 0.10 * spectral((size, size), 1511, 1.4, (3.0, 1.0))
+        rgb = mix(rgb, np.asarray(color, float) * np.clip(leaf, 0.3, 1.9)[..., None],
+                  smoothstep(0, 0.004, rows - ragged))
+    blades = 1 + 0.12 * spectral((size, size), 1510, 0.4, (0.6, 1.4), low=20) + 0.10 * spectral((size, size), 1511,
+            1.4, (3.0, 1.0))
     lawn = mix((118, 148, 70), (86, 120, 52), smoothstep(0.6, 1.0, y)) * blades[..., None]
     rgb = mix(rgb, lawn, smoothstep(0.635, 0.645, y + 0.01 * spectral((size, size), 1512, 1.0, low=6)))
     x = np.linspace(-1, 1, size)[None, :] * np.ones((size, 1))
@@ -231,7 +244,8 @@ def garden():
 def _tree(image, foot, tall, seed):
     draw, rng = ImageDraw.Draw(image), random.Random(1520 + seed)
     x, y = foot
-    draw.polygon([(x - 0.035 * tall, y), (x + 0.035 * tall, y), (x + 0.014 * tall, y - 0.55 * tall), (x - 0.014 * tall, y - 0.55 * tall)],
+    draw.polygon([(x - 0.035 * tall, y), (x + 0.035 * tall, y), (x + 0.014 * tall, y - 0.55 * tall),
+                  (x - 0.014 * tall, y - 0.55 * tall)],
                  fill=(74, 60, 48))
     boughs = [(rng.gauss(0, 0.11), rng.gauss(-0.66, 0.10), rng.uniform(0.12, 0.2)) for _ in range(14)]
     for _ in range(9000):
@@ -253,7 +267,8 @@ def film():
     for i in range(60):
         y = 402 + (i * 37) % 136
         draw.line(((i * 173) % 960, y, (i * 173) % 960 + 30 + y // 8, y), fill=(190, 200, 206))
-    draw.text((480, 500), "— and in the valley the snow was gone.", font=font("bold", 26), fill=(250, 246, 220), anchor="mm")
+    draw.text((480, 500), "— and in the valley the snow was gone.", font=font("bold", 26), fill=(250, 246, 220),
+              anchor="mm")
     return image
 
 

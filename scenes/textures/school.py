@@ -100,8 +100,10 @@ def plate(number, name, names):
     return image
 
 
-_ROOMS = (("101", "Physics", ("M. Osei", "Laboratory")), ("102", "Classroom 7a", ("R. Lindqvist",)), ("103", "Chemistry", ("J. Moreau", "Goggles!")),
-          ("104", "Classroom 8b", ("K. Tanaka",)), ("105", "Library", ("Mon–Thu 9–16",)), ("106", "Classroom 9a", ("I. Ferrer",)),
+_ROOMS = (("101", "Physics", ("M. Osei", "Laboratory")), ("102", "Classroom 7a", ("R. Lindqvist",)),
+          ("103", "Chemistry", ("J. Moreau", "Goggles!")),
+          ("104", "Classroom 8b", ("K. Tanaka",)), ("105", "Library", ("Mon–Thu 9–16",)),
+          ("106", "Classroom 9a", ("I. Ferrer",)),
           ("107", "Music", ("P. Novak", "Choir Tue 14.00")), ("108", "Staff room", ("please knock",)))
 
 
@@ -109,7 +111,8 @@ def floors_sign():
     """The board on the landing that says what is where."""
     image = Image.new("RGB", (480, 640), (30, 64, 104))
     draw = ImageDraw.Draw(image)
-    rows = (("2", ("Art room", "Assembly hall", "Computer room"), "↑"), ("1", ("Classrooms 7–9", "Physics, Chemistry", "Library, Music"), "→"),
+    rows = (("2", ("Art room", "Assembly hall", "Computer room"), "↑"),
+            ("1", ("Classrooms 7–9", "Physics, Chemistry", "Library, Music"), "→"),
             ("0", ("Office", "Classrooms 5–6", "Refectory"), "↓"), ("–1", ("Workshops", "Bicycles"), "↓"))
     for i, (floor, lines, arrow) in enumerate(rows):
         top = 16 + 154 * i
@@ -131,7 +134,8 @@ def escape_plan():
         x = 70 + 64 * i
         for top, bottom in ((76, 146), (186, 256)):
             draw.rectangle((x, top, x + 64, bottom), outline=INK, width=3)
-            draw.text((x + 32, (top + bottom) // 2), str(101 + i if top == 76 else 109 + i), font=font("sans", 15), fill=INK, anchor="mm")
+            draw.text((x + 32, (top + bottom) // 2), str(101 + i if top == 76 else 109 + i), font=font("sans", 15),
+                      fill=INK, anchor="mm")
     draw.rectangle((10, 76, 70, 256), outline=INK, width=3)
     for i in range(9):
         draw.line((12 + 6 * i, 90, 12 + 6 * i, 160), fill=INK)
@@ -142,7 +146,8 @@ def escape_plan():
         draw.rectangle((x, y, x + 14, y + 14), fill=RED)
     draw.ellipse((204, 158, 222, 176), fill=BLUE)
     for column in range(2):
-        draw.text((18 + 310 * column, 276), ("In case of fire", "In case of an accident")[column], font=font("bold", 16), fill=RED)
+        draw.text((18 + 310 * column, 276), ("In case of fire", "In case of an accident")[column],
+                  font=font("bold", 16), fill=RED)
         paragraph(draw, (18 + 310 * column, 300, 310 + 310 * column, 444), 342 + column, "sans", 12, INK, 1.35)
     return image
 
@@ -151,17 +156,21 @@ def timetable():
     """A week of lessons."""
     image, draw = sheet((620, 440), (248, 247, 240), 351)
     draw.text((20, 14), "TIMETABLE 8b", font=font("bold", 34), fill=INK)
-    rng, subjects = random.Random(352), ("Maths", "Physics", "German", "French", "Music", "Art", "Sport", "History", "Biology")
-    colors = ((236, 200, 120), (150, 190, 224), (220, 150, 140), (160, 206, 160), (206, 170, 214), (240, 226, 150), (170, 216, 212), (216, 196, 170), (188, 214, 140))
+    rng, subjects = random.Random(352), ("Maths", "Physics", "German", "French", "Music", "Art", "Sport", "History",
+                                         "Biology")
+    colors = ((236, 200, 120), (150, 190, 224), (220, 150, 140), (160, 206, 160), (206, 170, 214), (240, 226, 150),
+              (170, 216, 212), (216, 196, 170), (188, 214, 140))
     for day, name in enumerate(("Mon", "Tue", "Wed", "Thu", "Fri")):
         draw.text((90 + 104 * day, 66), name, font=font("bold", 18), fill=BLUE)
         lesson = 0
         while lesson < 7:
             k, long_ = rng.randrange(9), rng.choice((1, 1, 2))
             bottom = 92 + 48 * min(lesson + long_, 7) - 3
-            draw.rectangle((84 + 104 * day, 92 + 48 * lesson, 182 + 104 * day, bottom), fill=colors[k], outline=(120, 120, 120))
+            draw.rectangle((84 + 104 * day, 92 + 48 * lesson, 182 + 104 * day, bottom), fill=colors[k],
+                           outline=(120, 120, 120))
             draw.text((92 + 104 * day, 100 + 48 * lesson), subjects[k], font=font("sans", 16), fill=INK)
-            draw.text((92 + 104 * day, 119 + 48 * lesson), f"R {rng.randint(101, 108)}", font=font("sans", 12), fill=INK)
+            draw.text((92 + 104 * day, 119 + 48 * lesson), f"R {rng.randint(101, 108)}", font=font("sans", 12),
+                      fill=INK)
             lesson += long_
     for lesson in range(7):
         draw.text((16, 104 + 48 * lesson), f"{8 + lesson}.15", font=font("sans", 17), fill=INK)
@@ -177,7 +186,8 @@ def notices():
     stream = words(364)
     for i in range(21):
         w, h = rng.choice(((120, 166), (150, 110), (96, 96), (180, 130), (130, 180)))
-        color = rng.choice(((246, 244, 236), (250, 226, 120), (170, 214, 240), (244, 170, 160), (190, 226, 170), (244, 244, 240)))
+        color = rng.choice(((246, 244, 236), (250, 226, 120), (170, 214, 240), (244, 170, 160), (190, 226, 170),
+                            (244, 244, 240)))
         leaf, draw = sheet((w, h), color, 370 + i)
         draw.rectangle((0, 0, w, 26), fill=rng.choice((RED, BLUE, GREEN, INK, (200, 110, 30))))
         draw.text((6, 13), next(stream).upper()[:9], font=font("bold", 17), fill=(255, 255, 255), anchor="lm")
@@ -262,7 +272,8 @@ def class_photo(seed, year):
             draw.line((x - 5, y + 9, x + 5, y + 9), fill=(120, 70, 60), width=2)
     framed = Image.new("RGB", (width + 60, height + 90), (238, 234, 222))
     framed.paste(image, (30, 30))
-    ImageDraw.Draw(framed).text(((width + 60) // 2, height + 58), f"Class of {year}", font=font("serif", 30), fill=INK, anchor="mm")
+    ImageDraw.Draw(framed).text(((width + 60) // 2, height + 58), f"Class of {year}", font=font("serif", 30),
+                                fill=INK, anchor="mm")
     return framed
 
 

@@ -33,7 +33,9 @@ def add_dining(scene):
 
 def _lamp(scene):
     low = 1.5
-    scene.model("hanging lamp", "hangingLight", TABLE.child(0, 0, low), size=(0.44, 0.44, 0.86), materials={"Light-lamp": "brass", "Lamp-inside": "lit shade"})
+    scene.model("hanging lamp", "hangingLight", TABLE.child(0, 0, low), size=(0.44, 0.44, 0.86),
+                materials={"Light-lamp": "brass", "Lamp-inside": "lit shade"})
     scene.cylinder("hanging lamp cable", "iron", 0.006, HEIGHT - low - 0.86, TABLE, (0, 0, low + 0.86), 8)
     x, y, _ = TABLE.point(0, 0)
-    scene.table("light", name="hanging glow", center=(x, y, low + 0.04), u=(0.13, 0, 0), v=(0, -0.13, 0), radiance=(26, 20, 12))
+    scene.table("light", name="hanging glow", center=(x, y, low + 0.04), u=(0.13, 0, 0), v=(0, -0.13, 0),
+                radiance=(26, 20, 12))

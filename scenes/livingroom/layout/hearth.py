@@ -24,7 +24,8 @@ def add_hearth(scene):
 
 def _mantel(scene, top):
     for i, (x, size) in enumerate(((-0.56, 1.0), (-0.43, 0.72), (0.58, 0.9))):
-        scene.model(f"candle {i}", "candle", top, (x, 0.02, 0), size=(0.09 * size, 0.09 * size, 0.38 * size), materials={"holder": "brass"})
+        scene.model(f"candle {i}", "candle", top, (x, 0.02, 0), size=(0.09 * size, 0.09 * size, 0.38 * size),
+                    materials={"holder": "brass"})
     scene.box("clock case", "walnut", (0.2, 0.1, 0.24), top, (0, 0.05, 0))
     scene.hung("clock", "clock face", (0.17, 0.17), top, (0, -0.002, 0.05))
     scene.model("mantel photograph", "frame1", top, (0.25, 0.03, 0), -12)
@@ -68,6 +69,7 @@ def _case(scene, name, y, seed):
 
 
 def _ornament(scene, name, place, index):
-    key, size = (("vase2", (0.16, 0.16, 0.2)), ("frame2", (0.145, 0.145, 0.199)), ("littlePlant", (0.2, 0.2, 0.2)), ("frame1", None),
+    key, size = (("vase2", (0.16, 0.16, 0.2)), ("frame2", (0.145, 0.145, 0.199)), ("littlePlant", (0.2, 0.2, 0.2)),
+                 ("frame1", None),
                  ("old_jar", (0.19, 0.16, 0.2)), ("littlePlant", (0.18, 0.18, 0.18)))[index % 6]
     scene.model(name, key, place, (0, -0.02, 0.001), -10, size=size)

@@ -53,7 +53,8 @@ _COATS = {
     "glazed blue": {"specular": 0.05, "roughness": 0.15},
     "brass": {"metallic": 1, "roughness": 0.35},
 }
-_PICTURES = ("rug", "painting_sea", "painting_field", "painting_still_life", "painting_abstract", "botanical_1", "botanical_2",
+_PICTURES = ("rug", "painting_sea", "painting_field", "painting_still_life", "painting_abstract", "botanical_1",
+             "botanical_2",
              "photo_1", "photo_2", "music", "magazine_1", "magazine_2", "poster_map", "notebook", "paper_4", "paper_8")
 
 
@@ -64,6 +65,8 @@ def add_materials(scene):
     scene.table("material", name="looking glass", color="#c4c8c8", mirror=True)
     scene.table("material", name="clock face", texture="../textures/clock.png", cutout=True)
     for name, color, texture, glow in (("garden", "#000000", "garden", 0.34), ("film", "#202020", "film", 0.3)):
-        scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg", emission=(glow, glow, glow))
+        scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg",
+                    emission=(glow, glow, glow))
     for name, glow in (("bulb", (2.2, 1.9, 1.4)), ("lit shade", (0.6, 0.46, 0.28))):
-        scene.table("material", name=name, color="#f2e2c0", texture="../textures/fabric.jpg", tile_m=(0.1, 0.1), emission=glow)
+        scene.table("material", name=name, color="#f2e2c0", texture="../textures/fabric.jpg", tile_m=(0.1, 0.1),
+                    emission=glow)

@@ -29,13 +29,16 @@ def _sideboard(scene):
     place = EAST.child(2.15, -0.27)
     scene.model("sideboard", "dresserWithDrawers", place, materials={"white_wood": "chimney", "drawer_handle": "brass"})
     top = place.child(0, 0, 0.81)
-    scene.model("sideboard lamp", "little_lamp2", top, (-0.62, 0.02, 0), materials={"lampshade_multilamps.jpg": "lit shade"})
-    scene.table("light", name="sideboard glow", center=(*place.point(-0.62, 0.02)[:2], 1.04), u=(0.09, 0, 0), v=(0, -0.09, 0), radiance=(17, 13, 8))
+    scene.model("sideboard lamp", "little_lamp2", top, (-0.62, 0.02, 0),
+                materials={"lampshade_multilamps.jpg": "lit shade"})
+    scene.table("light", name="sideboard glow", center=(*place.point(-0.62, 0.02)[:2], 1.04), u=(0.09, 0, 0),
+                v=(0, -0.09, 0), radiance=(17, 13, 8))
     scene.model("sideboard stereo", "mini_stereo", top, (0.42, 0, 0), -4)
     scene.model("sideboard vase", "vase1", top, (0.02, 0.04, 0), size=(0.16, 0.16, 0.26))
     book_pile(scene, "sideboard pile", top.child(-0.28, 0, 0, -6), 193, 5)
     for i, (picture, x, z, w, h, frame) in enumerate((
-            ("painting abstract", 2.15, 1.52, 0.62, 0.62, "walnut"), ("botanical 1", 1.55, 1.72, 0.28, 0.38, "dark wood"),
+            ("painting abstract", 2.15, 1.52, 0.62, 0.62, "walnut"),
+            ("botanical 1", 1.55, 1.72, 0.28, 0.38, "dark wood"),
             ("botanical 2", 1.55, 1.26, 0.28, 0.38, "dark wood"), ("photo 2", 2.72, 1.86, 0.33, 0.26, "walnut"),
             ("photo 1", 2.72, 1.5, 0.33, 0.26, "dark wood"), ("painting sea", 0.95, 1.5, 0.56, 0.4, "brass"))):
         framed(scene, f"gallery {i}", picture, (w, h), EAST, (x, 0, z), frame, 0.022)

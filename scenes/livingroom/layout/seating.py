@@ -18,7 +18,8 @@ def add_seating(scene):
         side: "rug edge" for side in ("bottom", "front", "back", "left", "right")}})
     _sofa(scene)
     scene.model("yellow armchair", "scopia/armchair2", Place(2.05, 4.5, 0, 12))
-    scene.model("reading chair", "chair-ottoman", Place(2.15, 1.15, 0, 172), size=(0.7, 1.4, 0.95), materials={"Leather": "tan leather", "Chair_wood": "oak"})
+    scene.model("reading chair", "chair-ottoman", Place(2.15, 1.15, 0, 172), size=(0.7, 1.4, 0.95),
+                materials={"Leather": "tan leather", "Chair_wood": "oak"})
     _table(scene)
     _lamps(scene)
     _television(scene)
@@ -26,9 +27,11 @@ def add_seating(scene):
 
 
 def _sofa(scene):
-    scene.model("sofa", "winchesterSofa", SOFA, materials={k: "leather" for k in ("Surround", "Sit", "Back", "Buttons")} | {"Feet": "walnut"})
+    scene.model("sofa", "winchesterSofa", SOFA, materials={k: "leather" for k in ("Surround", "Sit", "Back",
+            "Buttons")} | {"Feet": "walnut"})
     pillow = cushion()
-    for i, (x, cover, yaw) in enumerate(((-0.74, "kilim", 16), (-0.4, "velvet", -6), (0.72, "kilim", -20), (0.44, "blue cloth", 8))):
+    for i, (x, cover, yaw) in enumerate(((-0.74, "kilim", 16), (-0.4, "velvet", -6), (0.72, "kilim", -20),
+                                         (0.44, "blue cloth", 8))):
         scene.mesh(f"cushion {i}", pillow, SOFA.child(x, -0.02, 0.63, yaw), {"cover": cover}, "cushion")
     scene.box("plaid", "tartan", (0.5, 0.46, 0.02), SOFA, (0.02, -0.15, 0.412), 4)
     scene.box("plaid front", "tartan", (0.5, 0.02, 0.3), SOFA, (0.004, -0.42, 0.13), 4)
@@ -64,19 +67,25 @@ def _table(scene):
 
 
 def _lamps(scene):
-    scene.model("chandelier", "lamp2", Place(2.35, 2.9, HEIGHT - 0.05 - 0.62), size=(0.62, 0.6, 0.62), materials={"Glass": "bulb", "Lamp": "bulb"})
+    scene.model("chandelier", "lamp2", Place(2.35, 2.9, HEIGHT - 0.05 - 0.62), size=(0.62, 0.6, 0.62),
+                materials={"Glass": "bulb", "Lamp": "bulb"})
     floor = Place(3.55, 4.62)
     scene.model("floor lamp", "living_lamp", floor, yaw_deg=-90)
     scene.box("floor lamp book", "kilim", (0.15, 0.2, 0.02), floor, (-0.09, -0.05, 0.485), 30)
-    scene.table("light", "lamps", name="floor lamp glow", center=(3.55, 4.62, 1.16), u=(0.1, 0, 0), v=(0, -0.1, 0), radiance=(40, 30, 18))
-    scene.table("light", name="floor lamp up", center=(3.55, 4.62, 1.44), u=(0.07, 0, 0), v=(0, 0.07, 0), radiance=(40, 30, 18))
+    scene.table("light", "lamps", name="floor lamp glow", center=(3.55, 4.62, 1.16), u=(0.1, 0, 0), v=(0, -0.1, 0),
+                radiance=(40, 30, 18))
+    scene.table("light", name="floor lamp up", center=(3.55, 4.62, 1.44), u=(0.07, 0, 0), v=(0, 0.07, 0),
+                radiance=(40, 30, 18))
 
 
 def _television(scene):
     stand = NORTH.child(1.2, -0.27)
     scene.model("television stand", "tvStand", stand)
-    scene.model("television", "wall-flat-tv", NORTH, (1.2, -0.06, 0.86), size=(1.03, 0.109, 0.66), materials={"screen-tv": "film"})
-    for i, (picture, x, z, w, h) in enumerate((("photo 1", 0.82, 1.84, 0.34, 0.27), ("poster map", 1.28, 1.78, 0.46, 0.37), ("photo 2", 1.74, 1.84, 0.34, 0.27))):
+    scene.model("television", "wall-flat-tv", NORTH, (1.2, -0.06, 0.86), size=(1.03, 0.109, 0.66),
+                materials={"screen-tv": "film"})
+    for i, (picture, x, z, w, h) in enumerate((("photo 1", 0.82, 1.84, 0.34, 0.27),
+                                               ("poster map", 1.28, 1.78, 0.46, 0.37),
+                                               ("photo 2", 1.74, 1.84, 0.34, 0.27))):
         framed(scene, f"over the television {i}", picture, (w, h), NORTH, (x, 0, z), "dark wood", 0.02)
     for x in (-0.86, 0.86):
         scene.model(f"speaker {x:+}", "speaker3", stand.child(x, 0.02), size=(0.22, 0.25, 0.72))

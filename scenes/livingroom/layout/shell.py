@@ -52,19 +52,24 @@ def _south_wall(scene):
 
 def _trim(scene):
     """Skirting, cornice and the rosette."""
-    walls = (("north west", NORTH, 0, HALL_DOOR - 0.9), ("north east", NORTH, HALL_DOOR + 0.9, WIDE), ("east", EAST, 0, DEEP), ("west", WEST, 1.805, 2.02), ("west 2", WEST, 3.78, 3.875), ("west 3", WEST, 0, 0.435), ("west 4", WEST, 5.245, DEEP),
+    walls = (("north west", NORTH, 0, HALL_DOOR - 0.9), ("north east", NORTH, HALL_DOOR + 0.9, WIDE),
+             ("east", EAST, 0, DEEP), ("west", WEST, 1.805, 2.02), ("west 2", WEST, 3.78, 3.875),
+             ("west 3", WEST, 0, 0.435), ("west 4", WEST, 5.245, DEEP),
              ("south", SOUTH, 0, WIDE - FRENCH[1]), ("south west", SOUTH, WIDE - FRENCH[0], WIDE))
     for name, wall, x0, x1 in walls:
         for part, deep, tall, z in (("", 0.018, 0.13, 0), ("bead ", 0.011, 0.025, 0.13)):
             a = x0 + deep if wall in (EAST, WEST) and x0 == 0 else x0      # the others run into the corners
             b = x1 - deep if wall in (EAST, WEST) and x1 == DEEP else x1
             scene.box(f"skirting {part}{name}", "white paint", (b - a, deep, tall), wall, ((a + b) / 2, -deep / 2, z))
-    for name, wall, length in (("north", NORTH, WIDE), ("south", SOUTH, WIDE), ("east", EAST, DEEP), ("west", WEST, DEEP)):
+    for name, wall, length in (("north", NORTH, WIDE), ("south", SOUTH, WIDE), ("east", EAST, DEEP),
+                               ("west", WEST, DEEP)):
         for i, (deep, tall, z) in enumerate(((0.13, 0.035, -0.035), (0.085, 0.05, -0.085), (0.04, 0.05, -0.135))):
             inset = deep if wall in (EAST, WEST) else 0
-            scene.box(f"cornice {name} {i}", "ceiling", (length - 2 * inset, deep, tall), wall, (length / 2, -deep / 2, HEIGHT + z))
+            scene.box(f"cornice {name} {i}", "ceiling", (length - 2 * inset, deep, tall), wall,
+                      (length / 2, -deep / 2, HEIGHT + z))
     for i, radius in enumerate((0.42, 0.36, 0.2, 0.1)):
-        scene.cylinder(f"rosette {i}", "ceiling", radius, 0.0125, Place(2.35, 2.9, HEIGHT - 0.0125 * (i + 1)), segments=48)
+        scene.cylinder(f"rosette {i}", "ceiling", radius, 0.0125, Place(2.35, 2.9, HEIGHT - 0.0125 * (i + 1)),
+                       segments=48)
 
 
 def _casements(scene, name, opening, lights):
@@ -80,18 +85,22 @@ def _casements(scene, name, opening, lights):
     pane = (wide - 0.06) / lights
     for i in range(lights):
         x = (i + 0.5) * pane - (wide - 0.06) / 2
-        for part, dx, dz, w, h in (("left", -pane / 2 + 0.055, 0.05, 0.05, tall - 0.12), ("right", pane / 2 - 0.055, 0.05, 0.05, tall - 0.12),
-                                   ("low", 0, 0.05, pane - 0.16, 0.12 if z0 < 0.5 else 0.06), ("high", 0, tall - 0.13, pane - 0.16, 0.06),
+        for part, dx, dz, w, h in (("left", -pane / 2 + 0.055, 0.05, 0.05, tall - 0.12),
+                                   ("right", pane / 2 - 0.055, 0.05, 0.05, tall - 0.12),
+                                   ("low", 0, 0.05, pane - 0.16, 0.12 if z0 < 0.5 else 0.06),
+                                   ("high", 0, tall - 0.13, pane - 0.16, 0.06),
                                    ("bar", 0, tall * 0.68, pane - 0.16, 0.03)):
             scene.box(f"{name} {i} {part}", "white paint", (w, 0.05, h), place, (x + dx, 0.012, dz))
         side = 1 if i % 2 == 0 else -1
-        scene.box(f"{name} handle {i}", "brass", (0.018, 0.04, 0.12), place, (x + side * (pane / 2 - 0.055), 0.055, tall * 0.42))
+        scene.box(f"{name} handle {i}", "brass", (0.018, 0.04, 0.12), place,
+                  (x + side * (pane / 2 - 0.055), 0.055, tall * 0.42))
 
 
 def _curtains(scene, name, opening):
     x0, x1, _, z1 = opening
     for side, x in (("left", x0 - 0.12), ("right", x1 + 0.12)):
-        scene.model(f"{name} curtain {side}", "curtain", Place(x, 0.12, 0.03, 180), size=(0.62, 0.13, z1 + 0.13), materials={"fabric": "curtain"})
+        scene.model(f"{name} curtain {side}", "curtain", Place(x, 0.12, 0.03, 180), size=(0.62, 0.13, z1 + 0.13),
+                    materials={"fabric": "curtain"})
     scene.box(f"{name} rail", "brass", (x1 - x0 + 0.9, 0.025, 0.025), Place((x0 + x1) / 2, 0.12, z1 + 0.17))
     for x in (x0 - 0.45, x1 + 0.45):
         scene.sphere(f"{name} knob", "brass", 0.03, Place(0, 0), (x, 0.12, z1 + 0.183), 16)
@@ -101,15 +110,20 @@ def _balcony(scene):
     """A narrow balcony; the park is a picture some way off."""
     middle = (FRENCH[0] + FRENCH[1]) / 2
     scene.box("balcony", "terrazzo", (3.4, 1.3, 0.14), Place(middle, -0.96, -0.16))
-    scene.model("balustrade", "iron-railing-2", Place(middle - 0.8, -1.5, -0.02), size=(1.6, 0.09, 0.95), materials={"iron": "iron"})
-    scene.model("balustrade 2", "iron-railing-2", Place(middle + 0.8, -1.5, -0.02), size=(1.6, 0.09, 0.95), materials={"iron": "iron"})
+    scene.model("balustrade", "iron-railing-2", Place(middle - 0.8, -1.5, -0.02), size=(1.6, 0.09, 0.95),
+                materials={"iron": "iron"})
+    scene.model("balustrade 2", "iron-railing-2", Place(middle + 0.8, -1.5, -0.02), size=(1.6, 0.09, 0.95),
+                materials={"iron": "iron"})
     scene.model("balcony pot", "littlePlant", Place(middle + 1.35, -0.9, -0.02), size=(0.36, 0.36, 0.34))
     scene.table("quad", "outside", name="park", material="garden", corner=(-14, -12, -7.2), u=(32, 0, 0), v=(0, 0, 22))
 
 
 def _light(scene):
     """Sky and low sun through the windows; the chandelier."""
-    scene.table("light", "light", name="sky", center=(3.3, -2.3, 4.6), u=(3.6, 0, 0), v=(0, -0.75, -0.95), radiance=(26, 28.5, 32))
-    scene.table("light", name="sun", center=(-3.4, -11.5, 10.6), u=(0.42, -0.21, 0), v=(-0.15, -0.3, -0.35), radiance=(2600, 2200, 1650))
+    scene.table("light", "light", name="sky", center=(3.3, -2.3, 4.6), u=(3.6, 0, 0), v=(0, -0.75, -0.95),
+                radiance=(26, 28.5, 32))
+    scene.table("light", name="sun", center=(-3.4, -11.5, 10.6), u=(0.42, -0.21, 0), v=(-0.15, -0.3, -0.35),
+                radiance=(2600, 2200, 1650))
     for side, z, v, glow in (("down", 2.24, -0.06, 1.0), ("up", 2.6, 0.06, 0.7)):
-        scene.table("light", name=f"chandelier {side}", center=(2.35, 2.9, z), u=(0.06, 0, 0), v=(0, v, 0), radiance=(120 * glow, 102 * glow, 76 * glow))
+        scene.table("light", name=f"chandelier {side}", center=(2.35, 2.9, z), u=(0.06, 0, 0), v=(0, v, 0),
+                    radiance=(120 * glow, 102 * glow, 76 * glow))

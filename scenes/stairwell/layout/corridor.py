@@ -23,9 +23,11 @@ EAST = Place(END, WIDE, 0, -90)          # local x is WIDE - y
 def add_corridor(scene):
     long_ = END - START
     for i, (x, step) in enumerate(_fields(START, long_, 2.4)):
-        scene.table("quad", "the corridor" if i == 0 else None, name=f"floor {i}", material="floor", corner=(x, 0, 0), u=(step, 0, 0), v=(0, WIDE, 0))
+        scene.table("quad", "the corridor" if i == 0 else None, name=f"floor {i}", material="floor", corner=(x, 0, 0),
+                    u=(step, 0, 0), v=(0, WIDE, 0))
     for i, (x, step) in enumerate(_fields(START, long_, 3)):
-        scene.table("quad", name=f"ceiling {i}", material="ceiling", corner=(x, WIDE, HEIGHT), u=(step, 0, 0), v=(0, -WIDE, 0))
+        scene.table("quad", name=f"ceiling {i}", material="ceiling", corner=(x, WIDE, HEIGHT), u=(step, 0, 0),
+                    v=(0, -WIDE, 0))
     for name, wall, left in (("north", NORTH, START), ("south", SOUTH, -END)):
         for i, (x, step) in enumerate(_fields(left, long_, 1.8)):
             scene.quad(f"tiles {name} {i}", "tiles", wall, (x, 0, 0), (step, 0, 0), (0, 0, DADO))
@@ -66,18 +68,24 @@ def _end_wall(scene):
     """The east end: a tall window over a radiator."""
     t, (a, b), (z0, z1) = 0.3, (0.55, 1.85), (0.95, 2.65)
     place = Place(END + t / 2, 0)
-    for name, y0, y1, low, high in (("south", 0, a, 0, HEIGHT), ("north", b, WIDE, 0, HEIGHT), ("below", a, b, 0, z0), ("above", a, b, z1, HEIGHT)):
-        scene.box(f"end wall {name}", "tiles" if name == "below" else "wall", (t, y1 - y0, high - low), place, (0, (y0 + y1) / 2, low))
+    for name, y0, y1, low, high in (("south", 0, a, 0, HEIGHT), ("north", b, WIDE, 0, HEIGHT), ("below", a, b, 0, z0),
+                                    ("above", a, b, z1, HEIGHT)):
+        scene.box(f"end wall {name}", "tiles" if name == "below" else "wall", (t, y1 - y0, high - low), place,
+                  (0, (y0 + y1) / 2, low))
     frame = Place(END + 0.14, (a + b) / 2, z0, -90)
     for i in range(3):
-        scene.box(f"end window post {i}", "white paint", (0.06, 0.07, z1 - z0 - 0.12), frame, ((i - 1) * (b - a - 0.06) / 2, 0, 0.06))
+        scene.box(f"end window post {i}", "white paint", (0.06, 0.07, z1 - z0 - 0.12), frame,
+                  ((i - 1) * (b - a - 0.06) / 2, 0, 0.06))
     for i, z in enumerate((0, 1.1, z1 - z0 - 0.06)):
         for k in (-1, 1):
-            scene.box(f"end window bar {i} {k}", "white paint", ((b - a - 0.18) / 2, 0.07, 0.06 if i != 1 else 0.04), frame, (k * (b - a - 0.06) / 4, 0, z))
+            scene.box(f"end window bar {i} {k}", "white paint", ((b - a - 0.18) / 2, 0.07, 0.06 if i != 1 else 0.04),
+                      frame, (k * (b - a - 0.06) / 4, 0, z))
     scene.box("end sill", "tread", (b - a - 0.01, 0.4, 0.03), Place(END + 0.08, (a + b) / 2, z0, -90))
     scene.model("end radiator", "radiator1", EAST, (WIDE / 2, -0.09, 0.14), size=(1.3, 0.12, 0.66))
-    scene.table("quad", "outside", name="town east", material="town", corner=(32, 13, -7.6), u=(0, -24, 0), v=(0, 0, 18))
-    scene.table("light", name="sky east", center=(20.6, 1.2, 4.7), u=(0, -2.2, 0), v=(-0.5, 0, 0.7), radiance=(50, 53, 57))
+    scene.table("quad", "outside", name="town east", material="town", corner=(32, 13, -7.6), u=(0, -24, 0),
+                v=(0, 0, 18))
+    scene.table("light", name="sky east", center=(20.6, 1.2, 4.7), u=(0, -2.2, 0), v=(-0.5, 0, 0.7),
+                radiance=(50, 53, 57))
 
 
 def _portal_leaves(scene):
@@ -99,7 +107,8 @@ def _lamps(scene):
     for i in range(6):
         x = 1.9 + 3.0 * i
         scene.box(f"lamp case {i}", "white paint", (1.3, 0.22, 0.07), Place(x, WIDE / 2, HEIGHT - 0.07))
-        scene.table("light", "lamps" if i == 0 else None, name=f"lamp {i}", center=(x, WIDE / 2, HEIGHT - 0.075), u=(0.6, 0, 0), v=(0, -0.08, 0), radiance=(20, 19.5, 18))
+        scene.table("light", "lamps" if i == 0 else None, name=f"lamp {i}", center=(x, WIDE / 2, HEIGHT - 0.075),
+                    u=(0.6, 0, 0), v=(0, -0.08, 0), radiance=(20, 19.5, 18))
 
 
 def _pipes():

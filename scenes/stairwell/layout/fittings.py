@@ -34,17 +34,23 @@ def _boards(scene):
     _board(scene, "notices 2", "notices", (1.4, 0.85), NORTH, 13.1, 1.45)
     _board(scene, "planner", "planner", (0.9, 0.63), SOUTH, -2.3, 1.48)
     for i, (wall, picture, w, h, x, z) in enumerate((
-            (NORTH, "poster concert", 0.5, 0.714, 1.35, 1.5), (SOUTH, "poster map", 0.95, 0.77, -6.75, 1.85), (NORTH, "timetable", 0.6, 0.43, 5.85, 1.6),
-            (SOUTH, "poster pinhole", 0.5, 0.7, -9.75, 1.5), (NORTH, "poster chart", 0.84, 0.6, 9.9, 1.95), (SOUTH, "timetable", 0.6, 0.43, -3.2, 1.55),
-            (NORTH, "poster concert", 0.5, 0.714, 12.1, 1.5), (NORTH, "poster map", 0.74, 0.6, 14.3, 1.55), (SOUTH, "poster chart", 0.5, 0.357, -11.88, 1.55),
-            (NORTH, "paper 3", 0.21, 0.297, 3.55, 1.6), (SOUTH, "paper 6", 0.21, 0.297, -7.75, 1.55), (SOUTH, "paper 1", 0.21, 0.297, -5.45, 1.6),
+            (NORTH, "poster concert", 0.5, 0.714, 1.35, 1.5), (SOUTH, "poster map", 0.95, 0.77, -6.75, 1.85),
+            (NORTH, "timetable", 0.6, 0.43, 5.85, 1.6),
+            (SOUTH, "poster pinhole", 0.5, 0.7, -9.75, 1.5), (NORTH, "poster chart", 0.84, 0.6, 9.9, 1.95),
+            (SOUTH, "timetable", 0.6, 0.43, -3.2, 1.55),
+            (NORTH, "poster concert", 0.5, 0.714, 12.1, 1.5), (NORTH, "poster map", 0.74, 0.6, 14.3, 1.55),
+            (SOUTH, "poster chart", 0.5, 0.357, -11.88, 1.55),
+            (NORTH, "paper 3", 0.21, 0.297, 3.55, 1.6), (SOUTH, "paper 6", 0.21, 0.297, -7.75, 1.55),
+            (SOUTH, "paper 1", 0.21, 0.297, -5.45, 1.6),
             (NORTH, "paper 8", 0.21, 0.297, 7.75, 1.55), (NORTH, "escape plan", 0.42, 0.297, 16.3, 1.55))):
         pinned(scene, f"poster {i}", picture, (w, h), wall, (x, 0, z))
     framed(scene, "year 1", "class photo 1", (0.54, 0.42), NORTH, (0.78, 0, 2.4), "handrail", 0.025)
     framed(scene, "year 2", "class photo 2", (0.54, 0.42), SOUTH, (-13.0, 0, 2.35), "handrail", 0.025)
-    for i, (wall, x) in enumerate(((NORTH, 2.6), (SOUTH, -4.6), (NORTH, 6.8), (SOUTH, -8.8), (NORTH, 11.0), (NORTH, 15.2))):
+    for i, (wall, x) in enumerate(((NORTH, 2.6), (SOUTH, -4.6), (NORTH, 6.8), (SOUTH, -8.8), (NORTH, 11.0),
+                                   (NORTH, 15.2))):
         sheet = f"paper {i + 1}"
-        pinned(scene, f"on door {i}", sheet, (0.21, 0.297), wall.child(x, -0.062), (0.08 * (i % 3 - 1), 0, 1.35 + 0.1 * (i % 2)))
+        pinned(scene, f"on door {i}", sheet, (0.21, 0.297), wall.child(x, -0.062),
+               (0.08 * (i % 3 - 1), 0, 1.35 + 0.1 * (i % 2)))
 
 
 def _lockers(scene, name, place, count):
@@ -81,11 +87,14 @@ def _safety(scene):
     for i, x in enumerate((5.4, 12.0)):
         for side, yaw in (("west", -90), ("east", 90)):
             offset = -0.022 if side == "west" else 0.022
-            scene.model(f"exit sign {i} {side}", "emergencySign", Place(x + offset, WIDE / 2, 2.62, yaw), size=(0.36, 0.035, 0.12))
+            scene.model(f"exit sign {i} {side}", "emergencySign", Place(x + offset, WIDE / 2, 2.62, yaw),
+                        size=(0.36, 0.035, 0.12))
         for y in (-0.14, 0.14):
-            scene.cylinder(f"exit rod {i} {y:+}", "steel", 0.005, HEIGHT - 2.74, Place(x, WIDE / 2 + y, 2.74), (0, 0, 0), 8)
+            scene.cylinder(f"exit rod {i} {y:+}", "steel", 0.005, HEIGHT - 2.74, Place(x, WIDE / 2 + y, 2.74),
+                           (0, 0, 0), 8)
     for i, x in enumerate((3.4, 9.4, 15.4)):
-        scene.model(f"smoke detector {i}", "smoke-detector", Place(x, WIDE / 2 + 0.3, HEIGHT - 0.045), size=(0.12, 0.12, 0.045))
+        scene.model(f"smoke detector {i}", "smoke-detector", Place(x, WIDE / 2 + 0.3, HEIGHT - 0.045),
+                    size=(0.12, 0.12, 0.045))
 
 
 def _machine(scene, place):
@@ -100,10 +109,12 @@ def _odds(scene):
     case = Place(9.45, WIDE - 0.45, 2.63)
     scene.box("clock case", "iron", (0.05, 0.34, 0.34), case, (0, 0, -0.17))
     for side, yaw in (("west", -90), ("east", 90)):
-        scene.hung(f"clock {side}", "clock face", (0.32, 0.32), case.child(0.0255 if side == "east" else -0.0255, 0, 0, yaw), (0, 0, -0.16))
+        scene.hung(f"clock {side}", "clock face", (0.32, 0.32),
+                   case.child(0.0255 if side == "east" else -0.0255, 0, 0, yaw), (0, 0, -0.16))
     for i, (y0, yaw) in enumerate(((0.0, 8), (0.0, 188))):
         board = Place(7.7, 1.75, 0, 100 + yaw)
-        scene.table("quad", name=f"wet floor {i}", material="wet floor", corner=board.point(-0.13, -0.14, 0.0), u=board.vector(0.26, 0), v=(*board.vector(0, 0.125)[:2], 0.56))
+        scene.table("quad", name=f"wet floor {i}", material="wet floor", corner=board.point(-0.13, -0.14, 0.0),
+                    u=board.vector(0.26, 0), v=(*board.vector(0, 0.125)[:2], 0.56))
     scene.model("water cooler", "water_cooler", SOUTH.child(-17.45, -0.2))
     scene.model("end plant", "yuccaPlant", Place(END - 0.42, 0.45, 0, 30), size=(0.62, 0.6, 1.35))
     scene.model("umbrella", "umbrellaFolded", SOUTH.child(-7.85, -0.12), size=(0.14, 0.14, 0.8))

@@ -48,8 +48,10 @@ _COATS = {
     "machine": {"specular": 0.04, "roughness": 0.3},
     "steel": {"metallic": 1, "roughness": 0.4},
 }
-_PICTURES = ("floors_sign", "escape_plan", "timetable", "notices", "hose_cabinet", "class_photo_1", "class_photo_2", "wet_floor", "corkboard",
-             "planner", "poster_map", "poster_concert", "poster_pinhole", "poster_chart", "botanical_1", "botanical_2", "painting_abstract",
+_PICTURES = ("floors_sign", "escape_plan", "timetable", "notices", "hose_cabinet", "class_photo_1", "class_photo_2",
+             "wet_floor", "corkboard",
+             "planner", "poster_map", "poster_concert", "poster_pinhole", "poster_chart", "botanical_1",
+             "botanical_2", "painting_abstract",
              *(f"plate_{n}" for n in range(101, 109)), *(f"paper_{i}" for i in range(1, 9)))
 LOCKERS = ("#6f93ac", "#c8a24c", "#7d9a74")
 
@@ -61,6 +63,8 @@ def add_materials(scene):
     for i, color in enumerate(LOCKERS):
         scene.table("material", name=f"locker {i}", color=color, texture="../textures/locker.jpg")
     scene.table("material", name="clock face", texture="../textures/clock.png", cutout=True)
-    for name, color, texture, glow in (("vending", "#303030", "vending", 0.4), ("town", "#000000", "window_view", 0.62)):
-        scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg", emission=(glow, glow, glow))
+    for name, color, texture, glow in (("vending", "#303030", "vending", 0.4),
+                                       ("town", "#000000", "window_view", 0.62)):
+        scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg",
+                    emission=(glow, glow, glow))
     scene.table("material", name="globe", color="#fff4e0", emission=(0.75, 0.68, 0.52))

@@ -70,7 +70,8 @@ def _flight(f):
 def _strips(scene, name, f):
     for i in range(STEPS):
         x = f.x(i) + f.way * 0.035
-        scene.box(f"strip {name} {i}", "rubber", (0.045, f.y1 - f.y0 - 0.1, 0.004), Place(x, (f.y0 + f.y1) / 2, f.tread(i)))
+        scene.box(f"strip {name} {i}", "rubber", (0.045, f.y1 - f.y0 - 0.1, 0.004),
+                  Place(x, (f.y0 + f.y1) / 2, f.tread(i)))
 
 
 def _well_side(f):
@@ -92,10 +93,12 @@ def _handrails(flights):
     for f in flights.values():
         y, wall = _well_side(f), (f.y1 - 0.07 if f.y0 > 1 else f.y0 + 0.07)
         a, b = f.x(-0.3), f.x(STEPS + 0.3)
-        ends = ((a, f.nose_line(f.x(0)) + RAIL), (f.x(0), f.nose_line(f.x(0)) + RAIL), (f.x(STEPS), f.nose_line(f.x(STEPS)) + RAIL),
+        ends = ((a, f.nose_line(f.x(0)) + RAIL), (f.x(0), f.nose_line(f.x(0)) + RAIL),
+                (f.x(STEPS), f.nose_line(f.x(STEPS)) + RAIL),
                 (b, f.nose_line(f.x(STEPS)) + RAIL))
         mesh.tube("wood", [(x, y, z) for x, z in ends], 0.027)
-        mesh.tube("iron", [(f.x(0), y, f.nose_line(f.x(0)) + 0.12), (f.x(STEPS), y, f.nose_line(f.x(STEPS)) + 0.12)], 0.009, 8)
+        mesh.tube("iron", [(f.x(0), y, f.nose_line(f.x(0)) + 0.12), (f.x(STEPS), y, f.nose_line(f.x(STEPS)) + 0.12)],
+                  0.009, 8)
         mesh.tube("wood", [(x, wall, z) for x, z in ends[1:3]], 0.022)
         for i in (1, 5, 9):
             x = f.x(i)
@@ -126,7 +129,8 @@ def _dado(flights):
         paint("dado", y, [(x, z - THICK, z + tall) for x, z in ends])
         paint("band", y, [(x, z + tall, z + tall + band) for x, z in ends])
     for y in (SOUTH_Y + 0.003, NORTH_Y - 0.003):
-        for x0, x1, z in ((LANDING_X, 0, 0), (LANDING_X, 0, STOREY), (WEST_X, TURN_X, -STOREY / 2), (WEST_X, TURN_X, STOREY / 2)):
+        for x0, x1, z in ((LANDING_X, 0, 0), (LANDING_X, 0, STOREY), (WEST_X, TURN_X, -STOREY / 2),
+                          (WEST_X, TURN_X, STOREY / 2)):
             paint("dado", y, [(x, z, z + tall) for x in (x0, x1)])
             paint("band", y, [(x, z + tall, z + tall + band) for x in (x0, x1)])
     return mesh
