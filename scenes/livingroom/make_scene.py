@@ -21,7 +21,7 @@ HEAD = """# A living room of 6.6 m x 5.4 m x 2.85 m: x east, y north, z up. Writ
 
 name = "Living room"
 ambient = [0.16, 0.165, 0.17]
-exposure = 3
+exposure = 2.5
 """
 
 if __name__ == "__main__":

@@ -64,7 +64,7 @@ def add_materials(scene):
     add_books(scene)
     scene.table("material", name="looking glass", color="#c4c8c8", mirror=True)
     scene.table("material", name="clock face", texture="../textures/clock.png", cutout=True)
-    for name, color, texture, glow in (("garden", "#000000", "garden", 0.34), ("film", "#202020", "film", 0.3)):
+    for name, color, texture, glow in (("garden", "#000000", "garden", 0.4), ("film", "#202020", "film", 0.36)):
         scene.table("material", name=name, color=color, texture=f"../textures/{texture}.jpg",
                     emission=(glow, glow, glow))
     for name, glow in (("bulb", (2.2, 1.9, 1.4)), ("lit shade", (0.6, 0.46, 0.28))):

@@ -122,8 +122,8 @@ def _light(scene):
     """Sky and low sun through the windows; the chandelier."""
     scene.table("light", "light", name="sky", center=(3.3, -2.3, 4.6), u=(3.6, 0, 0), v=(0, -0.75, -0.95),
                 radiance=(26, 28.5, 32))
-    scene.table("light", name="sun", center=(-3.4, -11.5, 10.6), u=(0.42, -0.21, 0), v=(-0.15, -0.3, -0.35),
-                radiance=(2600, 2200, 1650))
+    scene.table("light", name="sun", center=(0.3, -4.6, 4.3), u=(0.16, -0.08, 0), v=(-0.05, -0.1, -0.13),
+                radiance=(2500, 2120, 1600))
     for side, z, v, glow in (("down", 2.24, -0.06, 1.0), ("up", 2.6, 0.06, 0.7)):
         scene.table("light", name=f"chandelier {side}", center=(2.35, 2.9, z), u=(0.06, 0, 0), v=(0, v, 0),
                     radiance=(120 * glow, 102 * glow, 76 * glow))
