@@ -15,7 +15,7 @@ run_packages=(
   sweethome3d-furniture       # the models of scenes/office
   python3 python3-matplotlib  # the figures of the reports
 )
-test_packages=(libgtest-dev libgmock-dev libceres-dev)
+test_packages=(libgtest-dev libgmock-dev libceres-dev assimp-testmodels)
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 build=$root/build/release

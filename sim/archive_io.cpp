@@ -5,6 +5,8 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <algorithm>
+#include <cctype>
 #include <functional>
 #include <utility>
 
@@ -23,7 +25,12 @@ using ArchivePointer = std::unique_ptr<archive, int (*)(archive*)>;
 
 std::string Reason(archive* opened) {
   const char* text = archive_error_string(opened);
-  return text == nullptr ? "unknown reason" : text;
+  std::string reason = text == nullptr ? "unknown reason" : text;
+  while (!reason.empty() && std::isspace(static_cast<unsigned char>(reason.back()))) {
+    reason.pop_back();
+  }
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  return reason;
 }
 
 std::string EntryName(archive_entry* entry) {

@@ -15,6 +15,7 @@ namespace {
 
 // k/fps and start_s may differ by rounding where they mean the same instant.
 constexpr double kFrameTolerance = 1e-6;
+constexpr double kMostSamples = 1e6;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 Vec3d Lower(const Vec3d& a, const Vec3d& b) {
@@ -42,7 +43,7 @@ CameraPath::CameraPath(PoseSpline spline, HandShake shake, std::optional<FitResi
 }
 
 PathStatistics CameraPath::Statistics() const {
-  const int steps = std::max(1, int(std::lround(duration_s() * 1000)));
+  const int steps = std::max(1, int(std::lround(std::min(duration_s() * 1000, kMostSamples))));
   const double step_s = duration_s() / steps;
   SE3d last = At(0.0);
   PathStatistics s;
@@ -66,7 +67,7 @@ PathStatistics CameraPath::Statistics() const {
 }
 
 void CameraPath::AddAccelerations(PathStatistics& s) const {
-  const int steps = std::max(1, int(std::lround(duration_s() * 200)));
+  const int steps = std::max(1, int(std::lround(std::min(duration_s() * 200, kMostSamples))));
   for (int k = 0; k <= steps; ++k) {
     const CameraMotion motion = Motion(k * (duration_s() / steps));
     const double m_s2 = Norm(motion.acceleration);

@@ -14,7 +14,8 @@
 
 namespace silt::sim {
 
-// How far and how fast a path moves, measured between samples 1 ms apart; accelerations at 5 ms.
+// How far and how fast a path moves, measured between samples 1 ms apart, accelerations 5 ms (a
+// million samples at most, on paths of hours).
 struct PathStatistics {
   double duration_s = 0;
   double length_m = 0;

@@ -66,7 +66,8 @@ Model ImportModel(const AssetSource& source, const std::string& path) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
   const aiScene* scene = importer.ReadFile(*name, kPostProcessing);
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw Error(place + ": assimp cannot read it: " + OneLine(importer.GetErrorString()));
+    const std::string why = OneLine(importer.GetErrorString());
+    throw Error(place + ": assimp cannot read it: " + (why.empty() ? "it does not say why" : why));
   }
 
   Model model;

@@ -3,7 +3,7 @@
 #include "silt/sim/model_library.h"
 
 #include "silt/core/error.h"
-#include "silt/core/parallel.h"
+#include "silt/sim/isolated_import.h"
 
 namespace silt::sim {
 
@@ -14,18 +14,12 @@ ModelLibrary::ModelLibrary(const SceneFile& file) {
     if (!entry.archive.empty()) OpenArchive(file, entry.archive);
     entries.push_back(&entry);
   }
-  models_.resize(entries.size());
-  std::vector<std::string> problems(entries.size());
-  ParallelFor(int(entries.size()), [&](int i) {
-    const ModelEntry& entry = *entries[std::size_t(i)];
-    try {
-      models_[std::size_t(i)] = ImportModel(SourceOf(entry), entry.file);
-    } catch (const Error& e) {
-      problems[std::size_t(i)] = entry.place + ": " + e.what();
-    }
-  });
-  for (const std::string& problem : problems) {
-    if (!problem.empty()) throw Error(problem);
+  std::vector<ImportTask> tasks;
+  for (const ModelEntry* entry : entries) tasks.push_back({&SourceOf(*entry), entry->file});
+  std::vector<ImportOutcome> outcomes = ImportIsolated(tasks);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!outcomes[i].model) throw Error(entries[i]->place + ": " + outcomes[i].problem);
+    models_.push_back(std::move(*outcomes[i].model));
   }
 }
 

@@ -15,7 +15,7 @@
 namespace silt::sim {
 
 // The models that a scene file names. Each archive is opened and each model imported once, however
-// many entries use it; models in parallel.
+// many entries use it, in processes of their own (isolated_import.h).
 class ModelLibrary {
  public:
   // Throws silt::Error, with the place in the scene file, for the first entry in order that fails.

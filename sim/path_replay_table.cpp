@@ -11,6 +11,7 @@ namespace silt::sim {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
+constexpr double kFarthest_m = 1e6;
 
 double NumberIn(const TomlTable& table, const std::string& key, double fallback, double low,
                 double high) {
@@ -38,6 +39,9 @@ Trajectory ReadStretch(const TomlTable& replay, const std::filesystem::path& fol
   const double duration_s = NumberIn(replay, "duration_s", rest_s, 0, rest_s + 1e-6);
   Trajectory stretch;
   for (const StampedPose& pose : recorded) {
+    if (!(Norm(pose.world_from_camera.translation) < kFarthest_m)) {
+      replay.Fail("file", "leads farther than 1000 km away: " + file.string());
+    }
     const double time_s = pose.time_s - begin_s - start_s;
     if (time_s >= -1e-6 && time_s <= duration_s + 1e-6) stretch.push_back(pose);
   }

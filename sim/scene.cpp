@@ -3,6 +3,7 @@
 #include "silt/sim/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -17,6 +18,8 @@ namespace silt::sim {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr float kFarthest_m = 1e6f;
 
 double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -92,7 +95,13 @@ class SceneBuilder {
   template <typename Append>
   void AddInstance(const std::string& name, const Append& append) {
     const std::size_t first = scene_.mesh.triangles.size();
+    const std::size_t first_vertex = scene_.mesh.positions.size();
     append();
+    for (std::size_t v = first_vertex; v < scene_.mesh.positions.size(); ++v) {
+      const Vec3f& p = scene_.mesh.positions[v];
+      if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kFarthest_m) continue;
+      throw Error(file_.path.string() + ": '" + name + "' reaches farther than 1000 km away");
+    }
     scene_.instances.push_back(
         {name, std::uint32_t(first), std::uint32_t(scene_.mesh.triangles.size() - first)});
   }

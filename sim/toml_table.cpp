@@ -25,6 +25,8 @@ struct TomlTable::State {
 
 namespace {
 
+constexpr double kLargestNumber = 1e12;  // so that products of a few do not overflow
+
 std::string Place(const std::string& file, const toml::node& node) {
   return file + ":" + std::to_string(node.source().begin.line);
 }
@@ -59,7 +61,7 @@ std::string TypeName(const toml::node& node) {
 std::optional<double> FiniteNumber(const toml::node& node) {
   if (!node.is_number()) return {};
   const double value = *node.value<double>();
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  return std::abs(value) <= kLargestNumber ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace
@@ -115,7 +117,9 @@ std::string TomlTable::String(const std::string& key) const {
   if (!Has(key)) Fail(key, "is missing: give it a string");
   const toml::node& node = *state_->table->get(key);
   if (!node.is_string()) Fail(key, "must be a string, not " + TypeName(node));
-  return *node.value<std::string>();
+  const auto text = *node.value<std::string>();
+  if (Printable(text) != text) Fail(key, "must not hold control characters");
+  return text;
 }
 
 std::string TomlTable::String(const std::string& key, const std::string& fallback) const {
@@ -127,7 +131,7 @@ double TomlTable::Number(const std::string& key) const {
   const toml::node& node = *state_->table->get(key);
   if (!node.is_number()) Fail(key, "must be a number, not " + TypeName(node));
   const std::optional<double> value = FiniteNumber(node);
-  if (!value) Fail(key, "must be finite");
+  if (!value) Fail(key, "must be finite, and at most 1e12 in size");
   return *value;
 }
 
@@ -209,6 +213,8 @@ std::vector<std::pair<std::string, std::string>> TomlTable::Strings(const std::s
   for (const auto& [name, node] : *table) {
     if (!node.is_string()) Fail(key, "must hold strings only");
     strings.emplace_back(std::string(name), *node.value<std::string>());
+    const auto& [old, value] = strings.back();
+    if (Printable(old + value) != old + value) Fail(key, "must not hold control characters");
   }
   return strings;
 }
@@ -219,7 +225,8 @@ void TomlTable::RejectUnknownKeys() const {
     if (state_->known.contains(key)) continue;
     std::string known;
     for (const std::string& one : state_->known) known += (known.empty() ? "" : ", ") + one;
-    throw Error(Place(state_->file, node) + ": unknown key '" + key + "'; known here: " + known);
+    throw Error(Place(state_->file, node) + ": unknown key '" + Printable(key) +
+                "'; known here: " + known);
   }
 }
 

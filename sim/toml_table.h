@@ -13,7 +13,8 @@
 namespace silt::sim {
 
 // A table of a TOML file, read strictly: a missing key, a wrong type, a number that is not finite
-// and a key that nobody asked for are errors, "file:line: what is wrong and the mend".
+// or beyond ±1e12, a string with control characters and a key that nobody asked for are errors,
+// "file:line: what is wrong and the mend".
 //
 // Reading a key marks it as known; call RejectUnknownKeys() once all have been read.
 class TomlTable {

@@ -137,6 +137,8 @@ TEST_F(Replay, BrokenTablesAreErrorsWithTheirLine) {
   ExpectError("replay = 3\n", 1, "[replay]", name);
   folder_.Write("recorded.txt", "1 0 0 0 0 0 0 1\n2 0 0\n");
   expect("", 2, "recorded.txt:2");
+  folder_.Write("recorded.txt", "1 0 0 0 0 0 0 1\n1.1 0 1e300 0 0 0 0 1\n");
+  expect("", 2, "farther than 1000 km");
   folder_.Write("recorded.txt", "1 0 0 0 0 0 0 1\n");
   expect("", 2, "fewer than two poses");
 }

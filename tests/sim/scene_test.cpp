@@ -207,5 +207,12 @@ TEST_F(SceneTest, LoadsFurnitureOfSweetHome3d) {
   EXPECT_NEAR(high, 1.5, 1e-6);
 }
 
+TEST_F(SceneTest, RefusesWhatIsTooFarAway) {
+  const std::string message = ErrorOf([&] {
+    Load("[[box]]\nname = 'moon'\nmaterial = 'm'\nsize = [1, 1, 1]\nat = [3.8e8, 0, 0]\n");
+  });
+  EXPECT_THAT(message, HasSubstr("'moon' reaches farther than 1000 km"));
+}
+
 }  // namespace
 }  // namespace silt::sim

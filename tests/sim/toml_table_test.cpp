@@ -86,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"integer = 9999999999", "f.toml:1: integer is out of range"},
         BadValue{"flag = 1", "f.toml:1: flag must be true or false, not a number"},
         BadValue{"text = [1]", "f.toml:1: text must be a string, not an array"},
+        BadValue{"text = \"a\\nb\"", "f.toml:1: text must not hold control characters"},
+        BadValue{"number = 1e13", "f.toml:1: number must be finite, and at most 1e12"},
         BadValue{"\n\nvector = [1, 2]", "f.toml:3: vector must be an array of 3 finite numbers"},
         BadValue{"vector = [1, 2, 'z']", "f.toml:1: vector must be an array of 3 finite numbers"},
         BadValue{"vector = 3", "f.toml:1: vector must be an array of 3 finite numbers"},
@@ -97,6 +99,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"a = \n", "f.toml:1: is not TOML"},
         BadValue{"a = tru\ne", "f.toml:1: is not TOML"}, BadValue{"\xEF\xBB\xBD", "is not TOML"},
         BadValue{"a = 'unterminated", "f.toml:1: is not TOML"}));
+
+TEST(TomlTableTest, NamesUnknownKeysInOneLine) {
+  const TomlTable table = TomlTable::Parse("\"a\\nb\" = 1", "f.toml");
+  EXPECT_THAT(ErrorOf([&] { table.RejectUnknownKeys(); }), HasSubstr("unknown key 'a b'"));
+}
 
 TEST(TomlTableTest, RefusesFoldersAndMissingFiles) {
   const TempFolder folder;
