@@ -75,7 +75,8 @@ Json ToJson(const TrackerSetup& setup) {
             {"use_current_depth", o.alignment.use_current_depth},
             {"depth_edge_margin_px", o.alignment.depth_edge_margin_px},
             {"robust_scale", o.alignment.robust_scale},
-            {"robust_gradient", o.alignment.robust_gradient}}},
+            {"robust_gradient", o.alignment.robust_gradient},
+            {"depth_residual", o.alignment.depth_residual}}},
           {"keyframes",
            {{"max_distance_m", o.keyframes.max_distance_m},
             {"max_rotation_deg", o.keyframes.max_rotation_deg},
@@ -83,7 +84,8 @@ Json ToJson(const TrackerSetup& setup) {
             {"metres_per_radian", o.keyframes.metres_per_radian},
             {"joint", o.keyframes.joint}}},
           {"always_initialize", o.always_initialize},
-          {"max_unexplained_variance", o.max_unexplained_variance}};
+          {"max_unexplained_variance", o.max_unexplained_variance},
+          {"max_depth_disagreement", o.max_depth_disagreement}};
 }
 
 }  // namespace silt::experiments

@@ -22,6 +22,12 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 // skipped.
 constexpr int kMinPixels = 30;
 
+// Residuals are not taken for smaller than these: rounding to 8 bits leaves the first. Depth that
+// is exact would outweigh all intensities, and with them what they alone can tell of a camera
+// before a plane, while interpolating it over curved surfaces is not exact: 0.1 mm at 1 m, and what
+// 16-bit files round to.
+constexpr double kLeastIntensityScale = 0.2 / 255, kLeastInverseDepthScale = 1e-4;  // 1/m
+
 Matrix6 HessianMatrix(const NormalEquations& equations) {
   Matrix6 h;
   for (int i = 0, k = 0; i < 6; ++i) {
@@ -62,7 +68,8 @@ class LevenbergMarquardt {
         current_(current),
         options_(options),
         visible_(references.size()) {
-    norm_.gradient = options.robust_gradient;
+    norm_.intensity.gradient = options.robust_gradient;
+    norm_.use_depth = options.depth_residual && current.has_depth();
   }
 
   AlignmentResult Run(const SE3d& initial) {
@@ -72,6 +79,10 @@ class LevenbergMarquardt {
       if (options_.max_iterations[level - 1] > 0 && Measured(level) >= kMinPixels) RunLevel(level);
     }
     if (result_.failure.empty()) CheckEnd();
+    if (options_.robust()) {
+      result_.intensity_scale = norm_.intensity.scale / options_.robust_scale;
+      result_.inverse_depth_scale = norm_.inverse_depth.scale / options_.robust_scale;
+    }
     result_.ok = result_.failure.empty();
     result_.current_from_reference = result_.ok ? pose_ : initial;
     return std::move(result_);
@@ -94,7 +105,7 @@ class LevenbergMarquardt {
   void RunLevel(int level) {
     FindVisible(level);
     Linearize(level);
-    if (options_.robust_scale > 0) EstimateScale(level);
+    if (options_.robust()) EstimateScale(level);
     if (!CheckStart(level)) return;
     const PinholeCamera& camera = references_.front().pyramid.levels()[level - 1].camera;
     AlignmentLevel summary;
@@ -160,18 +171,32 @@ class LevenbergMarquardt {
     return {visible_[i] ? *visible_[i] : references_[i].pyramid, current_};
   }
 
-  // Sets c from the residuals at the pose. A level starts with that of the coarser one.
+  // Sets the norm's bounds and weights from the residuals at the pose. A level starts with those of
+  // the coarser one.
   void EstimateScale(int level) {
     constexpr int rounds = 4;
-    constexpr double close = 0.1, least = 0.2 / 255;  // of the residuals' scale
-    for (int i = 0; i < rounds && equations_.cost.pixels > 0; ++i) {
-      const double factor = norm_.scale > 0 ? options_.robust_scale : 0;
-      const double scale =
-          options_.robust_scale * std::max(least, ResidualScale(equations_.cost, factor));
-      if (std::abs(scale - norm_.scale) < close * scale) return;
-      norm_.scale = scale;
+    for (int i = 0; i < rounds; ++i) {
+      const bool near = SetScale(equations_.intensity, kLeastIntensityScale, &norm_.intensity);
+      const bool near_too =
+          !norm_.use_depth ||
+          SetScale(equations_.inverse_depth, kLeastInverseDepthScale, &norm_.inverse_depth);
+      if (near && near_too) return;
       Linearize(level);
     }
+  }
+
+  // Whether the scale was known well enough already. Without any residuals nothing is known.
+  bool SetScale(const NormalEquations::Spread& spread, double least, RobustBounds* bounds) const {
+    constexpr double close = 0.1;
+    if (spread.count == 0) return true;
+    const double factor = bounds->scale > 0 ? options_.robust_scale : 0;
+    const double mean = spread.squares / double(spread.count);
+    const double sigma = std::max(least, ResidualScale(mean, factor));
+    const double scale = options_.robust_scale * sigma;
+    if (std::abs(scale - bounds->scale) < close * scale) return true;
+    bounds->scale = scale;
+    if (norm_.use_depth) bounds->weight = 1 / (sigma * sigma);
+    return false;
   }
 
   std::optional<Twistd> TimedSolve() {

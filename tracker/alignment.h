@@ -45,6 +45,9 @@ struct AlignmentResult {
   std::vector<AlignmentLevel> levels;
   std::vector<AlignmentStep> log;  // where options.keep_log
   AlignmentTimes times;
+  // The residuals' own scales where the norm is robust, else 0: σ of the intensity, and of the
+  // inverse depth in 1/m, 0 where it was not compared.
+  double intensity_scale = 0, inverse_depth_scale = 0;
 
   // ½Σr² at the finest level that was run.
   PhotometricCost final_cost() const {

@@ -85,15 +85,27 @@ class CpuCurrent : public CurrentPyramid {
     depth_m = DepthPyramid(finest_depth_m, options.levels);
     const Pyramid kept = EdgelessPyramid(depth_m, options.depth_edge_margin_px);
     for (std::size_t level = 0; level < intensity.size(); ++level) {
+      if (options.inverse_depth) inverse_depth.push_back(Share(Inverse(*kept[level])));
       if (kept[level] == depth_m[level]) continue;
       intensity[level] = Share(WithoutEdges(*intensity[level], *depth_m[level], *kept[level]));
     }
   }
 
   Pyramid intensity;
-  Pyramid depth_m;  // empty without a depth
+  Pyramid depth_m;        // empty without a depth
+  Pyramid inverse_depth;  // without the edges; empty unless asked for
 
  private:
+  static Image<float> Inverse(Image<float> depth_m) {
+    ParallelFor(depth_m.height(), [&](int y) {
+      float* row = depth_m.row(y);
+      for (int x = 0; x < depth_m.width(); ++x) {
+        row[x] = IsMeasured(row[x]) ? 1 / row[x] : std::numeric_limits<float>::quiet_NaN();
+      }
+    });
+    return depth_m;
+  }
+
   static Image<float> WithoutEdges(Image<float> values, const Image<float>& depth,
                                    const Image<float>& kept) {
     ParallelFor(values.height(), [&](int y) {
@@ -161,9 +173,12 @@ class CpuBackend : public Backend {
     const PinholeCamera& camera = reference.levels()[level].camera;
     SILT_CHECK(current.intensity[level]->width() == camera.width &&
                current.intensity[level]->height() == camera.height);
-    return {camera, *reference.intensity[level], *reference.depth_m[level],
+    return {camera,
+            *reference.intensity[level],
+            *reference.depth_m[level],
             *current.intensity[level],
-            current.has_depth() ? current.depth_m[level].get() : nullptr};
+            current.has_depth() ? current.depth_m[level].get() : nullptr,
+            current.inverse_depth.empty() ? nullptr : current.inverse_depth[level].get()};
   }
 
   CpuReduction reduction_;

@@ -3,6 +3,7 @@
 #include "silt/tracker/cpu_reduction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "silt/core/parallel.h"
@@ -26,6 +27,11 @@ simd::Kernels KernelsOf(SimdLevel level) {
 // 1/x², where 0 stands for infinity.
 float InverseSquare(double x) { return x > 0 ? float(1 / (x * x)) : 0.0f; }
 
+simd::RobustBounds FloatBounds(const RobustBounds& bounds) {
+  return {InverseSquare(bounds.gradient), InverseSquare(bounds.scale),
+          float(std::sqrt(bounds.weight))};
+}
+
 simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_reference,
                        const ResidualNorm& norm = {}) {
   const kernel::Warp<float> warp(kernel::Warp<double>(current_from_reference, images.camera));
@@ -37,6 +43,7 @@ simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_refer
           images.reference_depth_m.data(),
           images.current_intensity.data(),
           images.current_depth_m ? images.current_depth_m->data() : nullptr,
+          images.current_inverse_depth ? images.current_inverse_depth->data() : nullptr,
           {r[0].x, r[0].y, r[0].z, r[1].x, r[1].y, r[1].z, r[2].x, r[2].y, r[2].z},
           {t.x, t.y, t.z},
           warp.camera.fx,
@@ -45,8 +52,8 @@ simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_refer
           warp.camera.cy,
           warp.inverse_fx,
           warp.inverse_fy,
-          InverseSquare(norm.gradient),
-          InverseSquare(norm.scale)};
+          FloatBounds(norm.intensity),
+          FloatBounds(norm.inverse_depth)};
 }
 
 using Sums = std::array<double, simd::kSumCount>;
@@ -76,8 +83,14 @@ Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view) {
   return total;
 }
 
-PhotometricCost CostOf(const Sums& sums, int norm_sum) {
-  return {0.5 * sums[norm_sum], std::int64_t(sums[simd::kCountSum]), sums[simd::kSquaresSum]};
+PhotometricCost CostOf(const Sums& sums) {
+  return {0.5 * sums[simd::kSquaresSum], std::int64_t(sums[simd::kCountSum]),
+          sums[simd::kSquaresSum]};
+}
+
+simd::AddRows KernelFor(const simd::Kernels& kernels, const ResidualNorm& norm) {
+  if (norm.use_depth) return kernels.add_depth_equations;
+  return norm.robust() ? kernels.add_robust_equations : kernels.add_equations;
 }
 
 }  // namespace
@@ -86,20 +99,24 @@ CpuReduction::CpuReduction(SimdLevel level) : kernels_(KernelsOf(level)) {}
 
 PhotometricCost CpuReduction::Cost(const LevelImages& images,
                                    const SE3d& current_from_reference) const {
-  return CostOf(Reduce(kernels_.add_cost, ViewOf(images, current_from_reference)),
-                simd::kSquaresSum);
+  return CostOf(Reduce(kernels_.add_cost, ViewOf(images, current_from_reference)));
 }
 
 NormalEquations CpuReduction::Equations(const LevelImages& images,
                                         const SE3d& current_from_reference,
                                         const ResidualNorm& norm) const {
-  const Sums sums = Reduce(norm.robust() ? kernels_.add_robust_equations : kernels_.add_equations,
-                           ViewOf(images, current_from_reference, norm));
+  SILT_CHECK(!norm.use_depth || images.current_inverse_depth != nullptr);
+  const Sums sums = Reduce(KernelFor(kernels_, norm), ViewOf(images, current_from_reference, norm));
   NormalEquations equations;
   std::copy_n(sums.begin(), equations.hessian.size(), equations.hessian.begin());
   std::copy_n(sums.begin() + equations.hessian.size(), equations.gradient.size(),
               equations.gradient.begin());
-  equations.cost = CostOf(sums, norm.robust() ? simd::kRobustSum : simd::kSquaresSum);
+  equations.cost = CostOf(sums);
+  if (!norm.robust()) return equations;
+  equations.intensity = {sums[simd::kRobustSum], std::int64_t(sums[simd::kCountSum])};
+  equations.inverse_depth = {sums[simd::kDepthRobustSum], std::int64_t(sums[simd::kDepthCountSum])};
+  equations.cost.sum = 0.5 * (norm.intensity.weight * equations.intensity.squares +
+                              norm.inverse_depth.weight * equations.inverse_depth.squares);
   return equations;
 }
 

@@ -19,6 +19,7 @@ struct LevelImages {
   const Image<float>& reference_depth_m;
   const Image<float>& current_intensity;
   const Image<float>* current_depth_m = nullptr;
+  const Image<float>* current_inverse_depth = nullptr;  // for residuals of it
 };
 
 // The sums over a level's pixels by one instruction set.

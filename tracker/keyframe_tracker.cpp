@@ -26,6 +26,17 @@ double MeasuredShare(const Image<float>& depth_m) {
   return double(std::count_if(depth_m.begin(), depth_m.end(), IsMeasured)) / double(depth_m.size());
 }
 
+double MeanInverseDepth(const Image<float>& depth_m) {
+  double sum = 0;
+  std::size_t measured = 0;
+  for (const float z : depth_m) {
+    if (!IsMeasured(z)) continue;
+    sum += 1 / double(z);
+    ++measured;
+  }
+  return measured > 0 ? sum / double(measured) : 0;
+}
+
 double Variance(const Image<float>& intensity) {
   double sum = 0, squares = 0;
   for (float value : intensity) {
@@ -166,6 +177,9 @@ void KeyframeTracker::Judge(const Reference& reference, TrackedFrame* result) co
     result->message = "lost: " + result->alignment.failure;
   } else if (left > options_.max_unexplained_variance * reference.variance) {
     result->message = "lost: the aligned images do not look alike";
+  } else if (result->alignment.inverse_depth_scale >
+             options_.max_depth_disagreement * reference.mean_inverse_depth) {
+    result->message = "lost: the aligned depths differ";
   } else {
     result->status = TrackingStatus::kTracked;
   }
@@ -189,7 +203,7 @@ void KeyframeTracker::MakeKeyframe(const Frame& frame, Image<float> intensity,
   const int id = int(keyframes_.size());
   references_.push_back(
       {backend_->MakeReference(intensity, frame.depth_m, camera_, options_.alignment.Pyramids()),
-       Variance(intensity)});
+       Variance(intensity), MeanInverseDepth(frame.depth_m)});
   keyframes_.push_back({id, frame, std::move(intensity), world_from_camera_});
   result->new_keyframe = true;
   if (id == 0) {

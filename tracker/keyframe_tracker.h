@@ -63,7 +63,8 @@ class KeyframeTracker {
   // What the backend and the judgement need of a keyframe.
   struct Reference {
     std::unique_ptr<ReferencePyramid> pyramid;
-    double variance = 0;  // of its intensity
+    double variance = 0;            // of its intensity
+    double mean_inverse_depth = 0;  // 1/m
   };
 
   void CheckFrame(const Frame& frame) const;

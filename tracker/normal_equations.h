@@ -32,12 +32,26 @@ struct NormalEquations {
   std::array<double, 21> hessian{};  // JᵀJ, its upper triangle row by row
   std::array<double, 6> gradient{};  // Jᵀr
   PhotometricCost cost;
+  // Of a robust norm, for the scale of either kind of residuals: Σs·r² and their number.
+  struct Spread {
+    double squares = 0;
+    std::int64_t count = 0;
+    bool operator==(const Spread&) const = default;
+    Spread& operator+=(const Spread& other) {
+      squares += other.squares;
+      count += other.count;
+      return *this;
+    }
+  };
+  Spread intensity, inverse_depth;
   bool operator==(const NormalEquations&) const = default;
 
   NormalEquations& operator+=(const NormalEquations& other) {
     for (std::size_t i = 0; i < hessian.size(); ++i) hessian[i] += other.hessian[i];
     for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] += other.gradient[i];
     cost += other.cost;
+    intensity += other.intensity;
+    inverse_depth += other.inverse_depth;
     return *this;
   }
 };

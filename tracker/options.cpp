@@ -36,6 +36,9 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.depth_edge_margin_px", depth_edge_margin_px, 0, 100);
   CheckRange("alignment.robust_scale", robust_scale, 0, 1e6);
   CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
+  if (depth_residual && !(use_current_depth && robust_scale > 0)) {
+    throw Error("alignment.depth_residual needs use_current_depth, and robust_scale above 0");
+  }
 }
 
 void KeyframeOptions::Validate() const {
@@ -50,6 +53,7 @@ void TrackerOptions::Validate() const {
   alignment.Validate();
   keyframes.Validate();
   CheckRange("max_unexplained_variance", max_unexplained_variance, 0, 1e6);
+  CheckRange("max_depth_disagreement", max_depth_disagreement, 0, 1e6);
 }
 
 TrackerOptions PaperPreset() { return {}; }
@@ -67,11 +71,14 @@ TrackerOptions AccuratePreset() {
   options.alignment.depth_edge_margin_px = 2;
   options.alignment.robust_scale = 2.5;
   options.alignment.robust_gradient = 8.0 / 255;
+  options.alignment.depth_residual = true;
   options.alignment.min_update_norm = 2e-6;
   options.keyframes.max_distance_m = 0.2;
   options.keyframes.max_rotation_deg = 540;
   options.keyframes.metres_per_radian = 0.3;
   options.keyframes.joint = 3;
+  options.alignment.min_overlap = 0.25;
+  options.max_unexplained_variance = 0.25;
   options.always_initialize = false;
   return options;
 }

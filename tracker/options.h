@@ -11,6 +11,7 @@ namespace silt::tracker {
 struct PyramidOptions {
   int levels = 4;
   int depth_edge_margin_px = 0;  // pixels nearer to a depth edge at the finest level are left out
+  bool inverse_depth = false;    // is compared too
 };
 
 // Algorithm 1. Every Validate() throws silt::Error naming the option, its value and its range.
@@ -35,11 +36,14 @@ struct AlignmentOptions {
   // then linearized at once.
   double robust_scale = 0;
   double robust_gradient = 0;
+  // Residuals of the inverse depth beside those of the intensity, each kind in units of its own
+  // scale; needs robust_scale and use_current_depth.
+  bool depth_residual = false;
   bool keep_log = false;  // one AlignmentStep per solve
 
   int levels() const { return int(max_iterations.size()); }
-  bool robust() const { return robust_scale > 0 || robust_gradient > 0; }
-  PyramidOptions Pyramids() const { return {levels(), depth_edge_margin_px}; }
+  bool robust() const { return robust_scale > 0; }
+  PyramidOptions Pyramids() const { return {levels(), depth_edge_margin_px, depth_residual}; }
   void Validate() const;
 };
 
@@ -62,6 +66,8 @@ struct TrackerOptions {
   // Lost where the residuals keep more than this share of the keyframe's variance of intensity:
   // 0 for a perfect match, 2 for two unrelated images.
   double max_unexplained_variance = 0.6;
+  // Lost where the depths differ by more than this share, by the scale of their residuals.
+  double max_depth_disagreement = 0.03;
   // The initializer gives every frame its start (§3.2), or serves only to find a lost camera again;
   // the start is then the pose that follows from an even motion.
   bool always_initialize = true;

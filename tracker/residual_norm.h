@@ -4,13 +4,19 @@
 
 namespace silt::tracker {
 
-// What a residual counts: see kernel/robust_norm.h. Neither given: ½r².
-struct ResidualNorm {
-  double gradient =
-      0;             // g: intensity per pixel; 0: a steep gradient makes no residual less certain
-  double scale = 0;  // c: intensity; 0: no residual is too large
+// What a residual counts: see kernel/robust_norm.h. Neither bound given: ½r².
+struct RobustBounds {
+  double gradient = 0;  // g; 0: a steep gradient makes no residual less certain
+  double scale = 0;     // c; 0: no residual is too large
+  double weight = 1;    // of these residuals among others
+};
 
-  bool robust() const { return gradient > 0 || scale > 0; }
+struct ResidualNorm {
+  RobustBounds intensity;      // intensity, and intensity per pixel
+  RobustBounds inverse_depth;  // 1/m, and 1/m per pixel
+  bool use_depth = false;      // residuals of the inverse depth as well
+
+  bool robust() const { return use_depth || intensity.gradient > 0 || intensity.scale > 0; }
 };
 
 }  // namespace silt::tracker

@@ -16,9 +16,9 @@ double MeanRobustSquare(double k) {
   return k * k * (1 - k * std::sqrt(std::numbers::pi / 2) * tail);
 }
 
-double ResidualScale(const PhotometricCost& cost, double scale_factor) {
+double ResidualScale(double mean_robust_square, double scale_factor) {
   const double beta = scale_factor > 0 ? MeanRobustSquare(scale_factor) : 1;
-  return std::sqrt(2 * cost.mean() / beta);
+  return std::sqrt(mean_robust_square / beta);
 }
 
 }  // namespace silt::tracker

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "silt/tracker/normal_equations.h"
-
 namespace silt::tracker {
 
-// The scale σ of residuals whose cost was computed with c = `scale_factor`·σ' for an earlier guess
-// σ' of it, or with no c (0): an M-estimate, σ² = mean(s·r²)/β, where β makes it the standard
-// deviation of residuals that are Gaussian. Repeating it with c = scale_factor·σ converges.
-double ResidualScale(const PhotometricCost& cost, double scale_factor);
+// The scale σ of residuals from the mean of s·r², see kernel/robust_norm.h, that was computed with
+// c = `scale_factor`·σ' for an earlier guess σ' of it, or with no c (0): an M-estimate,
+// σ² = mean(s·r²)/β, where β makes it the standard deviation of residuals that are Gaussian.
+// Repeating it with c = scale_factor·σ converges.
+double ResidualScale(double mean_robust_square, double scale_factor);
 
 // E[e²/(1 + e²/k²)] of a standard normal e, for k > 0: below 1, which it approaches for large k.
 double MeanRobustSquare(double k);

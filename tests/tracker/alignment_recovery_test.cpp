@@ -119,6 +119,7 @@ TEST(AlignmentRecovery, RobustWeightsDoNotHeedWhatChanged) {
   };
   AlignmentOptions squares = RobustOptions();
   squares.robust_scale = squares.robust_gradient = 0;
+  squares.depth_residual = false;
   EXPECT_LT(error(RobustOptions()), 2e-3);
   EXPECT_GT(error(squares), 5e-3);
 }

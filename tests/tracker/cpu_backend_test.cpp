@@ -118,7 +118,7 @@ TEST(CpuBackend, TheGradientIsThatOfTheCost) {
 TEST(CpuBackend, RobustEquationsAreTheWeightedSums) {
   const Pair pair = RoomPair(kSmallCamera, 1);
   const SE3d pose = SE3d::Exp({{0.004, 0.003, -0.002}, {0.01, -0.01, 0.02}}) * kMotion;
-  const ResidualNorm norm{0.02, 0.01};
+  const ResidualNorm norm{{0.02, 0.01}, {}, false};
   const kernel::RobustNorm<double> bounds{1 / (0.02 * 0.02), 1 / (0.01 * 0.01)};
   const kernel::Warp<double> warp(pose, pair.camera);
   const kernel::ImageSampler<double> sampler{pair.current.intensity.data(), 160, 120};
@@ -148,6 +148,38 @@ TEST(CpuBackend, RobustEquationsAreTheWeightedSums) {
     EXPECT_NEAR(actual.gradient[k], weighted.gradient[k],
                 1e-3 * std::sqrt(weighted.hessian[0] * squares))
         << k;
+  }
+}
+
+// Both kinds of residuals, each with its weight: depth alone knows of a step along the view of a
+// plain wall, and the gradient is that of the cost.
+TEST(CpuBackend, DepthResidualsAddTheirShare) {
+  const Pair pair = RoomPair(kSmallCamera, 1);
+  const SE3d pose = SE3d::Exp({{0.004, 0.003, -0.002}, {0.01, -0.01, 0.02}}) * kMotion;
+  const auto current =
+      pair.backend->MakeCurrent(pair.current.intensity, pair.current.depth_m, {1, 0, true});
+  const auto linearize = [&](const SE3d& at, double weight) {
+    const ResidualNorm norm{{0, 0}, {0, 0, weight}, true};
+    return pair.backend->Linearize({*pair.reference_pyramid, *current}, 0, at, norm);
+  };
+  const NormalEquations both = linearize(pose, 9), intensity = linearize(pose, 0);
+  EXPECT_EQ(intensity.cost.sum, pair.Linearize(pose).cost.sum);
+  EXPECT_GT(both.inverse_depth.count, 160 * 120 / 2);
+  EXPECT_NEAR(both.cost.sum - intensity.cost.sum, 4.5 * both.inverse_depth.squares,
+              1e-9 * both.cost.sum);
+  for (int i = 0; i < 6; ++i) {
+    const double step = 1e-4;
+    const auto depth_cost_at = [&](double s) {
+      double xi[6] = {};
+      xi[i] = s;
+      const NormalEquations at =
+          linearize(SE3d::Exp({{xi[0], xi[1], xi[2]}, {xi[3], xi[4], xi[5]}}) * pose, 9);
+      return 4.5 * at.inverse_depth.squares / double(at.inverse_depth.count);
+    };
+    const double numeric = (depth_cost_at(step) - depth_cost_at(-step)) / (2 * step);
+    const double analytic =
+        (both.gradient[i] - intensity.gradient[i]) / double(both.inverse_depth.count);
+    EXPECT_NEAR(analytic, numeric, 0.05 * std::abs(numeric) + 2e-4) << i;
   }
 }
 

@@ -24,34 +24,33 @@ TEST(MeanRobustSquare, IsTheExpectation) {
   }
 }
 
-// The cost of `outliers` residuals of size 1 among Gaussian ones.
-PhotometricCost CostOf(double sigma, int outliers, double c) {
+// The mean square of `outliers` residuals of size 1 among Gaussian ones.
+double MeanOf(double sigma, int outliers, double c) {
   constexpr int kCount = 20000;
   const CounterRandom random(5, 1);
   const kernel::RobustNorm<double> norm{0, c > 0 ? 1 / (c * c) : 0};
-  PhotometricCost cost;
+  double sum = 0;
   for (int i = 0; i < kCount; ++i) {
     const double r = i < outliers ? 1.0 : sigma * random.Normal(std::uint64_t(i));
-    cost.sum += 0.5 * kernel::Weigh(norm, r, 0.0).s * r * r;
+    sum += kernel::Weigh(norm, r, 0.0).s * r * r;
   }
-  cost.pixels = kCount;
-  return cost;
+  return sum / kCount;
 }
 
 double IteratedScale(double sigma, int outliers) {
-  double scale = ResidualScale(CostOf(sigma, outliers, 0), 0);
-  for (int i = 0; i < 20; ++i) scale = ResidualScale(CostOf(sigma, outliers, 2.5 * scale), 2.5);
+  double scale = ResidualScale(MeanOf(sigma, outliers, 0), 0);
+  for (int i = 0; i < 20; ++i) scale = ResidualScale(MeanOf(sigma, outliers, 2.5 * scale), 2.5);
   return scale;
 }
 
 TEST(ResidualScale, IsTheStandardDeviationOfGaussianResiduals) {
   // 20,000 draws: a standard error of 0.5 %.
-  EXPECT_NEAR(ResidualScale(CostOf(0.01, 0, 0), 0), 0.01, 2e-4);
+  EXPECT_NEAR(ResidualScale(MeanOf(0.01, 0, 0), 0), 0.01, 2e-4);
   EXPECT_NEAR(IteratedScale(0.01, 0), 0.01, 2e-4);
 }
 
 TEST(ResidualScale, IsHardlyMovedByOutliers) {
-  EXPECT_GT(ResidualScale(CostOf(0.01, 1000, 0), 0), 0.2);
+  EXPECT_GT(ResidualScale(MeanOf(0.01, 1000, 0), 0), 0.2);
   EXPECT_LT(IteratedScale(0.01, 1000), 0.0145);
 }
 

@@ -26,7 +26,8 @@ TEST(SimdLevel, NamesAreReadBack) {
   EXPECT_THROW(SimdLevelFromName("mmx"), Error);
 }
 
-constexpr ResidualNorm kNorm{0.03, 0.05};
+constexpr ResidualNorm kNorm{{0.03, 0.05}, {}, false};
+constexpr ResidualNorm kDepthNorm{{0.03, 0.05}, {0, 0.01, 25}, true};
 
 // A width that leaves lanes of a block and of every batch empty, and one that leaves none.
 TEST(SimdLevel, AllGiveTheSameBits) {
@@ -35,8 +36,11 @@ TEST(SimdLevel, AllGiveTheSameBits) {
     const SE3d motion = SE3d::Exp({{0.02, -0.03, 0.05}, {0.05, -0.02, 0.04}});
     const View reference = RenderRoomWithBoard({}, camera);
     const View current = RenderRoomWithBoard(motion.Inverse(), camera);
-    const LevelImages images{camera, reference.intensity, reference.depth_m, current.intensity,
-                             &current.depth_m};
+    Image<float> inverse_depth = current.depth_m;
+    for (float& z : inverse_depth) z = 1 / z;
+    const LevelImages images{
+        camera,           reference.intensity, reference.depth_m, current.intensity,
+        &current.depth_m, &inverse_depth};
     const CpuReduction baseline(SimdLevel::kBaseline);
     const NormalEquations expected = baseline.Equations(images, SE3d{});
     EXPECT_GT(expected.cost.pixels, width * 83 / 2);
@@ -44,6 +48,9 @@ TEST(SimdLevel, AllGiveTheSameBits) {
     const NormalEquations robust = baseline.Equations(images, SE3d{}, kNorm);
     EXPECT_LT(robust.cost.sum, 0.9 * expected.cost.sum);
     EXPECT_EQ(robust.cost.squares, expected.cost.squares);
+    const NormalEquations with_depth = baseline.Equations(images, SE3d{}, kDepthNorm);
+    EXPECT_GT(with_depth.inverse_depth.count, robust.cost.pixels / 2);
+    EXPECT_EQ(with_depth.intensity, robust.intensity);
     const SE3d moved{{}, {0.3, 0, 0}};
     const Image<float> visible = baseline.VisibleDepth(images, moved);
     EXPECT_GT(std::count(visible.begin(), visible.end(), 0.0f), 0);
@@ -52,6 +59,7 @@ TEST(SimdLevel, AllGiveTheSameBits) {
       EXPECT_EQ(reduction.Equations(images, SE3d{}), expected) << Name(level) << " " << width;
       EXPECT_EQ(reduction.Cost(images, SE3d{}), expected.cost) << Name(level) << " " << width;
       EXPECT_EQ(reduction.Equations(images, SE3d{}, kNorm), robust) << Name(level) << " " << width;
+      EXPECT_EQ(reduction.Equations(images, SE3d{}, kDepthNorm), with_depth) << Name(level);
       const Image<float> depth_m = reduction.VisibleDepth(images, moved);
       EXPECT_TRUE(std::equal(depth_m.begin(), depth_m.end(), visible.begin())) << Name(level);
     }

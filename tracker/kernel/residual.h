@@ -51,27 +51,54 @@ SILT_HOST_DEVICE inline T Residual(const Warp<T>& warp, const Sampler& sampler,
   return Select(current.valid, current.sample.value - pixel.intensity, T(0));
 }
 
-// Eqs. 13–16: ∇I_c(W)·∂π/∂X(K·p1)·K·[−[p1]ₓ | I]. With (a, b) = (fx·∂I/∂u, fy·∂I/∂v) the part by v
-// is j = (a, b, −(a·X + b·Y)/Z)/Z, and that by ω is −jᵀ[p1]ₓ = (p1 × j)ᵀ.
-template <typename T, typename Sampler>
-SILT_HOST_DEVICE inline LinearizedResidual<T> Linearize(const Warp<T>& warp, const Sampler& sampler,
-                                                        const ReferencePixel<T>& pixel) {
-  const WarpedPixel<T> warped = WarpPixel(warp, pixel);
-  const WarpedSample<T> current = SampleCurrent(warped, sampler);
+// The derivative of f(W(μ)) + h(Z) where ∇f(W) is that of `current`, and h'(Z) is `slope_z`, Z
+// being the warped point's. Eqs. 13–16: ∇f(W)·∂π/∂X(K·p1)·K·[−[p1]ₓ | I]. With (a, b) = (fx·∂f/∂u,
+// fy·∂f/∂v) the part by v is j = (a, b, −(a·X + b·Y)/Z)/Z + (0, 0, h'(Z)), and that by ω is
+// −jᵀ[p1]ₓ = (p1 × j)ᵀ.
+template <typename T>
+SILT_HOST_DEVICE inline LinearizedResidual<T> LinearizeAlongWarp(const Warp<T>& warp,
+                                                                 const WarpedPixel<T>& warped,
+                                                                 const WarpedSample<T>& current,
+                                                                 const T& residual,
+                                                                 const T& slope_z) {
   const Mask<T> valid = current.valid;
   const T zero(0);
   const Vec3<T>& p = warped.point;
-  const T a = Select(valid, warp.camera.fx * current.sample.du * warped.inverse_z, zero);
-  const T b = Select(valid, warp.camera.fy * current.sample.dv * warped.inverse_z, zero);
+  const T du = Select(valid, current.sample.du, zero), dv = Select(valid, current.sample.dv, zero);
+  const T a = warp.camera.fx * du * warped.inverse_z;
+  const T b = warp.camera.fy * dv * warped.inverse_z;
   const Vec3<T> point{Select(valid, p.x, zero), Select(valid, p.y, zero), Select(valid, p.z, zero)};
-  const Vec3<T> j{a, b, -(a * point.x + b * point.y) * warped.inverse_z};
+  const Vec3<T> j{a, b,
+                  Select(valid, slope_z, zero) - (a * point.x + b * point.y) * warped.inverse_z};
   const Vec3<T> w = Cross(point, j);
-  return {
-      Select(valid, current.sample.value - pixel.intensity, zero),
-      {w.x, w.y, w.z, j.x, j.y, j.z},
-      Select(valid, current.sample.du * current.sample.du + current.sample.dv * current.sample.dv,
-             zero),
-      valid};
+  return {Select(valid, residual, zero), {w.x, w.y, w.z, j.x, j.y, j.z}, du * du + dv * dv, valid};
+}
+
+// Of the intensity: eq. 12.
+template <typename T, typename Sampler>
+SILT_HOST_DEVICE inline LinearizedResidual<T> LinearizeIntensity(const Warp<T>& warp,
+                                                                 const WarpedPixel<T>& warped,
+                                                                 const Sampler& sampler,
+                                                                 const T& intensity) {
+  const WarpedSample<T> current = SampleCurrent(warped, sampler);
+  return LinearizeAlongWarp(warp, warped, current, current.sample.value - intensity, T(0));
+}
+
+// Of the inverse depth: r = 1/Z_c(W) − 1/Z, sampled from an image of 1/Z_c, over which bilinear
+// interpolation is exact for planes.
+template <typename T, typename Sampler>
+SILT_HOST_DEVICE inline LinearizedResidual<T> LinearizeInverseDepth(const Warp<T>& warp,
+                                                                    const WarpedPixel<T>& warped,
+                                                                    const Sampler& sampler) {
+  const WarpedSample<T> current = SampleCurrent(warped, sampler);
+  return LinearizeAlongWarp(warp, warped, current, current.sample.value - warped.inverse_z,
+                            warped.inverse_z * warped.inverse_z);
+}
+
+template <typename T, typename Sampler>
+SILT_HOST_DEVICE inline LinearizedResidual<T> Linearize(const Warp<T>& warp, const Sampler& sampler,
+                                                        const ReferencePixel<T>& pixel) {
+  return LinearizeIntensity(warp, WarpPixel(warp, pixel), sampler, pixel.intensity);
 }
 
 }  // namespace silt::tracker::kernel

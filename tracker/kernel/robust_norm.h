@@ -8,7 +8,7 @@
 
 namespace silt::tracker::kernel {
 
-// What a residual r counts where the image's gradient has the length |∇I|:
+// What a residual r counts where its image's gradient has the length |∇I|:
 //   ρ = ½·s·r²  with  s = 1/(a + r²/c²),  a = 1 + |∇I|²/g².
 // This is Geman-McClure's norm of r/√a: the variance of a residual grows with the gradient, because
 // neither image is sampled exactly where it seems to be, and a residual far above c says that the
@@ -17,12 +17,13 @@ template <typename T>
 struct RobustNorm {
   T inverse_gradient_squared;  // 1/g², of intensity per pixel
   T inverse_scale_squared;     // 1/c², of intensity
+  T root_weight = T(1);  // √ of a factor of ρ that makes different kinds of residuals comparable
 };
 
 template <typename T>
 struct RobustWeight {
   T s;
-  T root;  // √w, where w·r = dρ/dr with a held fixed: w = a·s²
+  T root;  // √w, where w·r = dρ/dr with a held fixed: w = a·s², times the factor
 };
 
 template <typename T>
@@ -31,7 +32,7 @@ SILT_HOST_DEVICE inline RobustWeight<T> Weigh(const RobustNorm<T>& norm, const T
   using std::sqrt;
   const T a = T(1) + gradient_squared * norm.inverse_gradient_squared;
   const T s = T(1) / (a + residual * residual * norm.inverse_scale_squared);
-  return {s, s * sqrt(a)};
+  return {s, norm.root_weight * (s * sqrt(a))};
 }
 
 }  // namespace silt::tracker::kernel

@@ -6,7 +6,8 @@ namespace silt::tracker::simd {
 
 Kernels Avx512Kernels() {
   using Rows = RowKernel<xsimd::avx512f>;
-  return {Rows::AddEquations, Rows::AddCost, Rows::AddRobustEquations, Rows::CopyVisible};
+  return {Rows::AddEquations, Rows::AddCost, Rows::AddRobustEquations, Rows::AddDepthEquations,
+          Rows::CopyVisible};
 }
 
 }  // namespace silt::tracker::simd

@@ -6,7 +6,8 @@ namespace silt::tracker::simd {
 
 Kernels BaselineKernels() {
   using Rows = RowKernel<xsimd::default_arch>;
-  return {Rows::AddEquations, Rows::AddCost, Rows::AddRobustEquations, Rows::CopyVisible};
+  return {Rows::AddEquations, Rows::AddCost, Rows::AddRobustEquations, Rows::AddDepthEquations,
+          Rows::CopyVisible};
 }
 
 }  // namespace silt::tracker::simd

@@ -18,6 +18,7 @@ struct Kernels {
   AddRows add_equations;
   AddRows add_cost;              // Σr² and the count alone
   AddRows add_robust_equations;  // of the robust norm
+  AddRows add_depth_equations;   // the same, with residuals of the inverse depth
   CopyVisible copy_visible;      // where the view has a current depth
 };
 

@@ -12,21 +12,29 @@ namespace silt::tracker::simd {
 // processor's registers: every instruction set gives the same bits.
 inline constexpr int kLanes = 16;
 
+// kernel/robust_norm.h's.
+struct RobustBounds {
+  float inverse_gradient_squared, inverse_scale_squared, root_weight;
+};
+
 // One level of a pair of images, row by row without padding, with a pose and a camera.
 struct LevelView {
   int width, height;  // at least 2×2
   const float* reference_intensity;
   const float* reference_depth_m;
   const float* current_intensity;
-  const float* current_depth_m;       // null where there is none
-  float rotation[9], translation[3];  // current_from_reference, row by row
+  const float* current_depth_m;        // null where there is none
+  const float* current_inverse_depth;  // NaN where unmeasured or beside an edge
+  float rotation[9], translation[3];   // current_from_reference, row by row
   float fx, fy, cx, cy, inverse_fx, inverse_fy;
-  float inverse_gradient_squared, inverse_scale_squared;  // see kernel/robust_norm.h
+  RobustBounds intensity_norm, inverse_depth_norm;
 };
 
-// 21 of JᵀJ, its upper triangle row by row, 6 of Jᵀr, Σr², the number of pixels, and Σs·r² of the
-// robust norm.
-inline constexpr int kSquaresSum = 27, kCountSum = 28, kRobustSum = 29, kSumCount = 30;
+// 21 of JᵀJ, its upper triangle row by row, 6 of Jᵀr, over all residuals; then Σr², the number of
+// pixels, and Σs·r² of the robust norm, over those of the intensity; then the latter two over those
+// of the inverse depth.
+inline constexpr int kSquaresSum = 27, kCountSum = 28, kRobustSum = 29, kDepthCountSum = 30,
+                     kDepthRobustSum = 31, kSumCount = 32;
 
 // Sums over some rows, lane by lane: single precision within a row, double from row to row.
 struct LaneSums {

@@ -19,10 +19,13 @@ template <typename Arch>
 class RowKernel {
  public:
   static void AddEquations(const LevelView& view, int begin, int end, LaneSums* sums) {
-    RowKernel(view).template AddRows<false>(begin, end, sums);
+    RowKernel(view).template AddRows<Residuals::kSquares>(begin, end, sums);
   }
   static void AddRobustEquations(const LevelView& view, int begin, int end, LaneSums* sums) {
-    RowKernel(view).template AddRows<true>(begin, end, sums);
+    RowKernel(view).template AddRows<Residuals::kRobust>(begin, end, sums);
+  }
+  static void AddDepthEquations(const LevelView& view, int begin, int end, LaneSums* sums) {
+    RowKernel(view).template AddRows<Residuals::kRobustWithDepth>(begin, end, sums);
   }
 
   static void AddCost(const LevelView& view, int begin, int end, LaneSums* sums) {
@@ -48,6 +51,7 @@ class RowKernel {
   }
 
  private:
+  enum class Residuals { kSquares, kRobust, kRobustWithDepth };
   using Batch = xsimd::batch<float, Arch>;
   static constexpr int kBatch = int(Batch::size);
   static constexpr int kChunk = 20 * kLanes;  // pixels
@@ -69,8 +73,10 @@ class RowKernel {
   explicit RowKernel(const LevelView& view)
       : view_(view),
         warp_(MakeWarp(view)),
-        sampler_{view.current_intensity, view.width, view.height},
-        norm_{Batch(view.inverse_gradient_squared), Batch(view.inverse_scale_squared)},
+        intensity_{view.current_intensity, view.width, view.height},
+        inverse_depth_{view.current_inverse_depth, view.width, view.height},
+        intensity_norm_(MakeNorm(view.intensity_norm)),
+        inverse_depth_norm_(MakeNorm(view.inverse_depth_norm)),
         columns_(Columns()),
         padded_width_((view.width + kLanes - 1) / kLanes * kLanes) {}
 
@@ -87,6 +93,11 @@ class RowKernel {
     warp.inverse_fx = Batch(view.inverse_fx);
     warp.inverse_fy = Batch(view.inverse_fy);
     return warp;
+  }
+
+  static kernel::RobustNorm<Batch> MakeNorm(const RobustBounds& bounds) {
+    return {Batch(bounds.inverse_gradient_squared), Batch(bounds.inverse_scale_squared),
+            Batch(bounds.root_weight)};
   }
 
   static Batch Columns() {
@@ -110,51 +121,77 @@ class RowKernel {
             Load(view_.reference_intensity + y * view_.width, x, view_.width)};
   }
 
-  template <bool kRobust>
+  template <Residuals kKind>
   void AddRows(int begin, int end, LaneSums* sums) const {
     for (int y = begin; y < end; ++y) {
       RowSums row;
-      for (int x = 0; x < padded_width_; x += kChunk) AddChunk<kRobust>(x, y, &row);
+      for (int x = 0; x < padded_width_; x += kChunk) AddChunk<kKind>(x, y, &row);
       for (int k = 0; k < kSumCount; ++k) Add(row.value[k], sums->value[k]);
     }
   }
 
-  template <bool kRobust>
+  template <Residuals kKind>
   void AddChunk(int begin, int y, RowSums* row) const {
     const int end = begin + kChunk < padded_width_ ? begin + kChunk : padded_width_;
-    Chunk chunk;
-    LinearizeChunk<kRobust>(begin, end, y, &chunk, row);
-    for (int lane = 0; lane < kLanes; lane += kBatch) {
-      AddProducts<0>(chunk, lane, end - begin, row, FirstProducts{});
-      if constexpr (kProductsAtOnce < kProducts) {
-        AddProducts<kProductsAtOnce>(chunk, lane, end - begin, row, OtherProducts{});
-      }
+    Chunk intensity, inverse_depth;
+    for (int x = begin; x < end; x += kBatch) {
+      LinearizePixels<kKind>(x, y, &intensity, &inverse_depth, row);
+    }
+    AddAllProducts(intensity, end - begin, row);
+    if constexpr (kKind == Residuals::kRobustWithDepth) {
+      AddAllProducts(inverse_depth, end - begin, row);
     }
   }
 
-  // The columns of a robust norm are √w·J and √w·r.
-  template <bool kRobust>
-  [[gnu::flatten]] void LinearizeChunk(int begin, int end, int y, Chunk* chunk,
-                                       RowSums* row) const {
-    for (int x = begin; x < end; x += kBatch) {
-      const kernel::LinearizedResidual<Batch> pixel =
-          kernel::Linearize(warp_, sampler_, Pixels(x, y));
-      const int at = x - begin, lane = x % kLanes;
-      const Batch squares = pixel.residual * pixel.residual;
-      Batch root(1.0f);
-      if constexpr (kRobust) {
-        const kernel::RobustWeight<Batch> weight =
-            kernel::Weigh(norm_, pixel.residual, pixel.gradient_squared);
-        root = weight.root;
-        Add(weight.s * squares, row->value[kRobustSum] + lane);
+  // A batch of pixels; the columns of a robust norm are √w·J and √w·r.
+  template <Residuals kKind>
+  [[gnu::flatten]] void LinearizePixels(int x, int y, Chunk* intensity, Chunk* inverse_depth,
+                                        RowSums* row) const {
+    const int lane = x % kLanes, at = x % kChunk;
+    const kernel::ReferencePixel<Batch> pixel = Pixels(x, y);
+    const kernel::WarpedPixel<Batch> warped = kernel::WarpPixel(warp_, pixel);
+    kernel::LinearizedResidual<Batch> r =
+        kernel::LinearizeIntensity(warp_, warped, intensity_, pixel.intensity);
+    Add(r.residual * r.residual, row->value[kSquaresSum] + lane);
+    Add(Ones(r.valid), row->value[kCountSum] + lane);
+    if constexpr (kKind != Residuals::kSquares) {
+      Add(Weigh(intensity_norm_, &r), row->value[kRobustSum] + lane);
+    }
+    Store(r, at, intensity);
+    if constexpr (kKind == Residuals::kRobustWithDepth) {
+      kernel::LinearizedResidual<Batch> d =
+          kernel::LinearizeInverseDepth(warp_, warped, inverse_depth_);
+      Add(Ones(d.valid), row->value[kDepthCountSum] + lane);
+      Add(Weigh(inverse_depth_norm_, &d), row->value[kDepthRobustSum] + lane);
+      Store(d, at, inverse_depth);
+    }
+  }
+
+  static Batch Ones(const kernel::Mask<Batch>& mask) {
+    return Select(mask, Batch(1.0f), Batch(0.0f));
+  }
+
+  // Gives residual and Jacobian their weight, and tells s·r².
+  static Batch Weigh(const kernel::RobustNorm<Batch>& norm, kernel::LinearizedResidual<Batch>* r) {
+    const kernel::RobustWeight<Batch> weight =
+        kernel::Weigh(norm, r->residual, r->gradient_squared);
+    const Batch robust_square = weight.s * (r->residual * r->residual);
+    r->residual = weight.root * r->residual;
+    for (Batch& j : r->jacobian) j = weight.root * j;
+    return robust_square;
+  }
+
+  static void Store(const kernel::LinearizedResidual<Batch>& r, int at, Chunk* chunk) {
+    for (int i = 0; i < 6; ++i) r.jacobian[i].store_aligned(chunk->column[i] + at);
+    r.residual.store_aligned(chunk->column[6] + at);
+  }
+
+  static void AddAllProducts(const Chunk& chunk, int pixels, RowSums* row) {
+    for (int lane = 0; lane < kLanes; lane += kBatch) {
+      AddProducts<0>(chunk, lane, pixels, row, FirstProducts{});
+      if constexpr (kProductsAtOnce < kProducts) {
+        AddProducts<kProductsAtOnce>(chunk, lane, pixels, row, OtherProducts{});
       }
-      for (int i = 0; i < 6; ++i) {
-        (kRobust ? root * pixel.jacobian[i] : pixel.jacobian[i])
-            .store_aligned(chunk->column[i] + at);
-      }
-      (kRobust ? root * pixel.residual : pixel.residual).store_aligned(chunk->column[6] + at);
-      Add(squares, row->value[kSquaresSum] + lane);
-      Add(Select(pixel.valid, Batch(1.0f), Batch(0.0f)), row->value[kCountSum] + lane);
     }
   }
 
@@ -211,9 +248,9 @@ class RowKernel {
   [[gnu::flatten]] void AddCostOfRow(int y, RowSums* row) const {
     for (int x = 0; x < padded_width_; x += kBatch) {
       kernel::Mask<Batch> valid;
-      const Batch residual = kernel::Residual(warp_, sampler_, Pixels(x, y), &valid);
+      const Batch residual = kernel::Residual(warp_, intensity_, Pixels(x, y), &valid);
       Add(residual * residual, row->value[kSquaresSum] + x % kLanes);
-      Add(Select(valid, Batch(1.0f), Batch(0.0f)), row->value[kCountSum] + x % kLanes);
+      Add(Ones(valid), row->value[kCountSum] + x % kLanes);
     }
   }
 
@@ -226,8 +263,8 @@ class RowKernel {
 
   const LevelView& view_;
   const kernel::Warp<Batch> warp_;
-  const BatchSampler<Arch> sampler_;
-  const kernel::RobustNorm<Batch> norm_;
+  const BatchSampler<Arch> intensity_, inverse_depth_;
+  const kernel::RobustNorm<Batch> intensity_norm_, inverse_depth_norm_;
   const Batch columns_;  // 0, 1, 2, …
   const int padded_width_;
 };

@@ -87,6 +87,37 @@ TEST_P(JacobianAt, AgreesWithAutomaticDifferentiation) {
   EXPECT_LT(result.largest, 1e-10);
 }
 
+// 1/Z_c(W) − 1/Z against automatic differentiation of the same.
+TEST_P(JacobianAt, OfTheInverseDepthAgreesToo) {
+  const SE3d pose = RandomPose(GetParam());
+  const View reference = RenderRoom({});
+  Image<float> inverse_depth = RenderRoom(pose.Inverse()).depth_m;
+  for (float& z : inverse_depth) z = 1 / z;
+  const ImageSampler<double> sampler{inverse_depth.data(), 160, 120};
+  const JetSampler jet_sampler{inverse_depth.data(), 160, 120};
+  const Warp<double> warp(pose, kSmallCamera);
+  const Warp<Jet> jet_warp(Perturbed(pose), kSmallCamera.Cast<Jet>());
+  int compared = 0;
+  for (int y = 0; y < 120; y += 3) {
+    for (int x = 0; x < 160; x += 3) {
+      const double z = reference.depth_m(x, y);
+      const LinearizedResidual<double> l = LinearizeInverseDepth(
+          warp, WarpPixel<double>(warp, {double(x), double(y), z, 0}), sampler);
+      const WarpedPixel<Jet> warped =
+          WarpPixel<Jet>(jet_warp, {Jet(double(x)), Jet(double(y)), Jet(z), Jet(0)});
+      const WarpedSample<Jet> current = SampleCurrent(warped, jet_sampler);
+      ASSERT_EQ(l.valid, current.valid);
+      if (!l.valid) continue;
+      ++compared;
+      const Jet r = current.sample.value - warped.inverse_z;
+      const double scale = std::max(1.0, r.v.norm());
+      EXPECT_NEAR(l.residual, r.a, 1e-10 * scale);
+      for (int k = 0; k < 6; ++k) EXPECT_NEAR(l.jacobian[k], r.v[k], 1e-10 * scale) << k;
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
 INSTANTIATE_TEST_SUITE_P(Poses, JacobianAt, testing::Range(0, 5));
 
 TEST(JacobianCheck, AgreesAtTheIdentity) {
