@@ -12,7 +12,7 @@ build_packages=(
   libcli11-dev libspdlog-dev nlohmann-json3-dev                   # experiments
 )
 run_packages=(
-  sweethome3d-furniture       # the models of scenes/office
+  sweethome3d-furniture       # the models of the scenes
   python3 python3-matplotlib  # the figures of the reports
 )
 test_packages=(libgtest-dev libgmock-dev libceres-dev assimp-testmodels)

@@ -41,6 +41,11 @@ class Place:
         return Place(*self.point(x, y, z), self.yaw_deg + yaw_deg)
 
 
+def walls(wide, deep):
+    """North, south, east and west wall of a room as seen from inside: local x runs right, -y into the room."""
+    return Place(0, deep), Place(wide, 0, 0, 180), Place(wide, deep, 0, -90), Place(0, 0, 0, 90)
+
+
 class SceneWriter:
     def __init__(self, lift=0.0):
         self.lift = lift

@@ -2,17 +2,14 @@
 # SPDX-License-Identifier: MIT
 """The shell: 6.6 m x 5.4 m x 2.85 m. x east, y north. French window and window in the south, double door in the north."""
 
-from writer import Place
+from writer import Place, walls
 
 WIDE, DEEP, HEIGHT = 6.6, 5.4, 2.85
 WALL_DEPTH = 0.3
 FRENCH = (1.25, 3.95, 0.04, 2.4)        # openings in the south wall: x from, x to, z from, z to
 WINDOW = (4.95, 6.05, 0.9, 2.4)
 
-NORTH = Place(0, DEEP, 0, 0)            # walls as seen from inside: local x runs right, -y into the room
-SOUTH = Place(WIDE, 0, 0, 180)
-EAST = Place(WIDE, DEEP, 0, -90)
-WEST = Place(0, 0, 0, 90)
+NORTH, SOUTH, EAST, WEST = walls(WIDE, DEEP)
 HALL_DOOR = 3.35                        # x of its middle
 
 

@@ -2,16 +2,13 @@
 # SPDX-License-Identifier: MIT
 """The shell: 6 m x 6 m x 2.7 m. x east, y north. Window in the west, door in the south."""
 
-from writer import Place
+from writer import Place, walls
 
 SIZE, HEIGHT = 6.0, 2.7
 WINDOW_Y, WINDOW_Z = (2.3, 4.9), (0.92, 2.32)
 WALL_DEPTH = 0.24
 
-NORTH = Place(0, SIZE, 0, 0)        # walls as seen from inside: local x runs right, -y into the room
-SOUTH = Place(SIZE, 0, 0, 180)
-EAST = Place(SIZE, SIZE, 0, -90)
-WEST = Place(0, 0, 0, 90)
+NORTH, SOUTH, EAST, WEST = walls(SIZE, SIZE)
 
 
 def add_room(scene):
