@@ -29,7 +29,7 @@ ExposureRays::ExposureRays(const Optics& optics, const PixelSampling& sampling,
       seed_(sampling.seed),
       frame_(sampling.frame),
       count_(SampleCount(sampling, shutter)),
-      cone_width_(float(1 / std::sqrt(optics.camera.fx * optics.camera.fy * count_))) {
+      cone_width_(float(1 / std::sqrt(optics.camera.fx * optics.camera.fy))) {
   if (sampling.pattern == PixelPattern::kShared) {
     shared_ = SharedSamples(count_, sampling.filter);
   } else {

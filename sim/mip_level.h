@@ -56,14 +56,18 @@ class MipLevel {
     }
   };
   // (x, y) is in texels from the centre of the upper left one; x in [−½, width − ½], y likewise.
-  Place PlaceOf(float x, float y) const {
+  // The place is written where it is to stay: a copy would wait for its parts to reach memory.
+  void Find(float x, float y, Place& place) const {
     if (x < 0) x += float(width_);
     if (y < 0) y += float(height_);
     // A sum may be rounded up to the width itself.
     const int column = x < float(width_) ? int(x) : width_ - 1;
     const int row = y < float(height_) ? int(y) : height_ - 1;
     const Texel* texel = texels_.data() + Index(column, row);
-    return {texel, texel + width_ + 1, x - float(column), y - float(row)};
+    place.upper = texel;
+    place.lower = texel + width_ + 1;
+    place.right = x - float(column);
+    place.down = y - float(row);
   }
 
  private:

@@ -30,12 +30,13 @@ void AddPacket(const LitScene& lit, const RayPacket& rays, float cone_width, Pac
   Shading::Place places[kPacketSize];
   for (int j = 0; j < count; ++j) {
     const int i = lane[j];
-    places[j] = shading.PlaceOf({hits.triangle[i],
-                                 hits.u[i],
-                                 hits.v[i],
-                                 hits.cosine[i],
-                                 hits.distance[i] * cone_width,
-                                 {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}});
+    shading.Find({hits.triangle[i],
+                  hits.u[i],
+                  hits.v[i],
+                  hits.cosine[i],
+                  hits.distance[i] * cone_width,
+                  {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}},
+                 places[j]);
   }
   for (int j = 0; j < count; ++j) sum.lane[lane[j]] += places[j].Read();
 }

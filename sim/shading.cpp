@@ -119,7 +119,7 @@ void Shading::StoreLight(const Scene& scene, const Irradiance& irradiance,
   });
 }
 
-void Shading::PlaceLight(const Record& record, const SurfaceHit& hit, Place& place) const {
+void Shading::FindLight(const Record& record, const SurfaceHit& hit, Place& place) const {
   const float weight[3] = {1 - hit.u - hit.v, hit.u, hit.v};
   constexpr int kNext[] = {1, 2, 0, 1};
   const float base = weight[kNext[record.apex]], next = weight[kNext[record.apex + 1]];
@@ -143,7 +143,7 @@ void Shading::PlaceLight(const Record& record, const SurfaceHit& hit, Place& pla
 
 // A cone of width w meets the surface in an ellipse, w wide and w/cos long. One probe of its mean
 // width √(w·w/cos) is enough while it is at most twice as long as wide; else several lie along it.
-void Shading::PlaceTexture(const Record& record, const SurfaceHit& hit, Place& place) const {
+void Shading::FindTexture(const Record& record, const SurfaceHit& hit, Place& place) const {
   place.texture = &textures_[std::size_t(record.texture)];
   place.first = record.texcoord + hit.u * record.along_u + hit.v * record.along_v;
   const float cosine = std::max(std::abs(hit.cosine), 1e-3f), w = hit.footprint_m;
@@ -159,7 +159,7 @@ void Shading::PlaceTexture(const Record& record, const SurfaceHit& hit, Place& p
   }
   place.lod =
       record.log2_texels_per_metre + 0.5f * QuickLog2(w * w / (cosine * float(place.probes)));
-  place.probe = place.texture->PlaceOf(place.first.x, place.first.y, place.lod);
+  place.texture->Find(place.first.x, place.first.y, place.lod, place.probe);
   place.probe.Prefetch();
 }
 
@@ -167,22 +167,24 @@ Float4 Shading::Place::MeanOfProbes() const {
   Float4 sum = probe.Read();
   for (int i = 1; i < probes; ++i) {
     const Vec2f at = first + float(i) * step;
-    sum += texture->PlaceOf(at.x, at.y, lod).Read();
+    Texture::Place next;
+    texture->Find(at.x, at.y, lod, next);
+    sum += next.Read();
   }
   return (1 / float(probes)) * sum;
 }
 
-Shading::Place Shading::PlaceOf(const SurfaceHit& hit) const {
+void Shading::Find(const SurfaceHit& hit, Place& place) const {
   const Record& record = records_[hit.triangle];
-  Place place;
-  PlaceLight(record, hit, place);
+  FindLight(record, hit, place);
   place.texture = nullptr;
-  if (record.texture >= 0) PlaceTexture(record, hit, place);
-  return place;
+  if (record.texture >= 0) FindTexture(record, hit, place);
 }
 
 Vec3f Shade(const LitScene& lit, const SurfaceHit& hit) {
-  return Vec3From(lit.shading().PlaceOf(hit).Read());
+  Shading::Place place;
+  lit.shading().Find(hit, place);
+  return Vec3From(place.Read());
 }
 
 }  // namespace silt::sim

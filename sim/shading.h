@@ -57,8 +57,9 @@ class Shading {
    private:
     Float4 MeanOfProbes() const;
   };
-  // Round 2; Place::Read is round 3.
-  Place PlaceOf(const SurfaceHit& hit) const;
+  // Round 2, which writes the place where it is to stay, see MipLevel::Find; Place::Read is
+  // round 3.
+  void Find(const SurfaceHit& hit, Place& place) const;
 
  private:
   // One cache line.
@@ -81,8 +82,8 @@ class Shading {
   std::vector<LightPoint> LayRows(const SurfaceGrid& grid);
   void StoreLight(const Scene& scene, const Irradiance& irradiance,
                   const std::vector<LightPoint>& points);
-  void PlaceTexture(const Record& record, const SurfaceHit& hit, Place& place) const;
-  void PlaceLight(const Record& record, const SurfaceHit& hit, Place& place) const;
+  void FindTexture(const Record& record, const SurfaceHit& hit, Place& place) const;
+  void FindLight(const Record& record, const SurfaceHit& hit, Place& place) const;
 
   const std::vector<Texture>& textures_;
   HugePageVector<Record> records_;           // by triangle

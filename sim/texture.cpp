@@ -18,7 +18,9 @@ Texture::Texture(const Image<Rgba8>& picture) {
 }
 
 float Texture::Alpha(float u, float v) const {
-  return PlaceIn(levels_.front(), Wrapped(u), Wrapped(-v)).Bilinear()[3] / 65535;
+  MipLevel::Place place;
+  FindIn(levels_.front(), Wrapped(u), Wrapped(-v), place);
+  return place.Bilinear()[3] / 65535;
 }
 
 }  // namespace silt::sim

@@ -28,23 +28,28 @@ class Texture {
   // Linear colour in [0, 1], trilinear. `lod` is log2 of the footprint's width in texels of level
   // 0: 0 and less read the picture itself, more than the last level reads the mean. Non-finite
   // coordinates read the corner.
-  Vec3f Sample(float u, float v, float lod) const { return Vec3From(PlaceOf(u, v, lod).Read()); }
+  Vec3f Sample(float u, float v, float lod) const {
+    Place place;
+    Find(u, v, lod, place);
+    return Vec3From(place.Read());
+  }
 
   // The same in two steps, so that memory can be asked for in between.
   struct Place {
     MipLevel::Place fine, coarse;
-    float blend;
+    float blend;  // 0: the fine one alone
 
     Float4 Read() const {
       constexpr float kUnit = 1.0f / 65535;
+      if (blend == 0) return kUnit * fine.Bilinear();
       return kUnit * Lerp(fine.Bilinear(), coarse.Bilinear(), blend);
     }
     void Prefetch() const {
       fine.Prefetch();
-      coarse.Prefetch();
+      if (blend != 0) coarse.Prefetch();
     }
   };
-  Place PlaceOf(float u, float v, float lod) const;
+  void Find(float u, float v, float lod, Place& place) const;
 
   // Opacity in [0, 1], bilinear on level 0.
   float Alpha(float u, float v) const;
@@ -56,21 +61,21 @@ class Texture {
     const float fraction = coordinate - float(int(coordinate));
     return fraction < 0 ? fraction + 1 : fraction;
   }
-  static MipLevel::Place PlaceIn(const MipLevel& level, float right, float down) {
-    return level.PlaceOf(right * float(level.width()) - 0.5f, down * float(level.height()) - 0.5f);
+  static void FindIn(const MipLevel& level, float right, float down, MipLevel::Place& place) {
+    level.Find(right * float(level.width()) - 0.5f, down * float(level.height()) - 0.5f, place);
   }
 
   std::vector<MipLevel> levels_;
 };
 
-inline Texture::Place Texture::PlaceOf(float u, float v, float lod) const {
+inline void Texture::Find(float u, float v, float lod, Place& place) const {
   const float right = Wrapped(u), down = Wrapped(-v);
   const auto last = float(levels_.size() - 1);
   const float level = lod > 0 ? (lod < last ? lod : last) : 0;
   const auto fine = std::size_t(level);
-  const std::size_t coarse = fine + (level < last ? 1 : 0);
-  return {PlaceIn(levels_[fine], right, down), PlaceIn(levels_[coarse], right, down),
-          level - float(fine)};
+  place.blend = level - float(fine);
+  FindIn(levels_[fine], right, down, place.fine);
+  if (place.blend != 0) FindIn(levels_[fine + 1], right, down, place.coarse);
 }
 
 }  // namespace silt::sim

@@ -44,9 +44,9 @@ TEST(ExposureRays, AnExposureHasAtLeastTheInstantsAskedFor) {
   EXPECT_EQ(ExposureRays(kCamera, {.samples_per_pixel = 64}, {0.01, 16}, Sliding, 0).count(), 64);
 }
 
-TEST(ExposureRays, ConesFillThePixelTogether) {
+TEST(ExposureRays, ConesAreAsWideAsThePixel) {
   const ExposureRays rays(kCamera, {.samples_per_pixel = 16}, {}, Sliding, 0);
-  EXPECT_NEAR(rays.cone_width(), 1 / std::sqrt(100 * 110.0) / 4, 1e-9);
+  EXPECT_NEAR(rays.cone_width(), 1 / std::sqrt(100 * 110.0), 1e-9);
 }
 
 TEST(ExposureRays, CoverPixelsAndTheExposureAboutItsMiddle) {

@@ -19,6 +19,12 @@ Image<Rgba8> Ramp(int width, int height) {
   return picture;
 }
 
+Float4 Value(const MipLevel& level, float x, float y) {
+  MipLevel::Place place;
+  level.Find(x, y, place);
+  return place.Bilinear();
+}
+
 TEST(MipLevel, EncodingGivesThePictureBack) {
   Image<Rgba8> picture(16, 16);
   for (int i = 0; i < 256; ++i) {
@@ -47,7 +53,7 @@ TEST(MipLevel, ValuesLieAtTheCentresOfTexels) {
   const MipLevel level(picture);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 5; ++x) {
-      const Float4 value = level.PlaceOf(float(x), float(y)).Bilinear();
+      const Float4 value = Value(level, float(x), float(y));
       EXPECT_EQ(value[0], float(level.at(x, y).r));
       EXPECT_EQ(value[2], float(level.at(x, y).b));
       EXPECT_EQ(value[3], 65535);
@@ -60,12 +66,12 @@ TEST(MipLevel, TheLastColumnAndRowMeetTheFirst) {
   const auto mean = [](const MipLevel::Texel& a, const MipLevel::Texel& b) {
     return (float(a.g) + float(b.g)) / 2;
   };
-  EXPECT_NEAR(level.PlaceOf(4.5f, 1).Bilinear()[1], mean(level.at(4, 1), level.at(0, 1)), 0.1);
-  EXPECT_NEAR(level.PlaceOf(-0.5f, 1).Bilinear()[1], mean(level.at(4, 1), level.at(0, 1)), 0.1);
-  EXPECT_NEAR(level.PlaceOf(2, 2.5f).Bilinear()[1], mean(level.at(2, 2), level.at(2, 0)), 0.1);
-  EXPECT_NEAR(level.PlaceOf(2, -0.5f).Bilinear()[1], mean(level.at(2, 2), level.at(2, 0)), 0.1);
+  EXPECT_NEAR(Value(level, 4.5f, 1)[1], mean(level.at(4, 1), level.at(0, 1)), 0.1);
+  EXPECT_NEAR(Value(level, -0.5f, 1)[1], mean(level.at(4, 1), level.at(0, 1)), 0.1);
+  EXPECT_NEAR(Value(level, 2, 2.5f)[1], mean(level.at(2, 2), level.at(2, 0)), 0.1);
+  EXPECT_NEAR(Value(level, 2, -0.5f)[1], mean(level.at(2, 2), level.at(2, 0)), 0.1);
   // So little before the first texel that the sum with the width is rounded to it.
-  EXPECT_NEAR(level.PlaceOf(-1e-9f, 1).Bilinear()[1], float(level.at(0, 1).g), 0.1);
+  EXPECT_NEAR(Value(level, -1e-9f, 1)[1], float(level.at(0, 1).g), 0.1);
 }
 
 // The short way for opaque pairs of rows and columns against the one for any.
