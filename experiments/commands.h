@@ -21,6 +21,7 @@ void AddRenderCommand(CLI::App& program, const Invocation& invocation);
 void AddTrackCommand(CLI::App& program, const Invocation& invocation);
 void AddEvaluateCommand(CLI::App& program, const Invocation& invocation);
 void AddExperimentCommand(CLI::App& program, const Invocation& invocation);
+void AddBenchCommand(CLI::App& program, const Invocation& invocation);
 void AddSceneCommand(CLI::App& program, const Invocation& invocation);
 void AddPathCommand(CLI::App& program, const Invocation& invocation);
 void AddInfoCommand(CLI::App& program, const Invocation& invocation);
@@ -29,6 +30,7 @@ void AddInfoCommand(CLI::App& program, const Invocation& invocation);
 void AddAccuracyExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddConvergenceExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddInitializationExperiment(CLI::App& experiments, const Invocation& invocation);
+void AddPhotoConsistencyExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddTimingExperiment(CLI::App& experiments, const Invocation& invocation);
 
 }  // namespace silt::experiments

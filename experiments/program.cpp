@@ -69,6 +69,7 @@ void AddCommands(CLI::App& app, const Invocation& invocation) {
   AddTrackCommand(app, invocation);
   AddEvaluateCommand(app, invocation);
   AddExperimentCommand(app, invocation);
+  AddBenchCommand(app, invocation);
   AddSceneCommand(app, invocation);
   AddPathCommand(app, invocation);
   AddInfoCommand(app, invocation);

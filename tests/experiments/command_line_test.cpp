@@ -70,6 +70,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadLine{"render --scene studio --width 30 --out build-x", "--width"},
         BadLine{"render --scene studio --blur lots --out build-x", "--blur: 'lots'"},
         BadLine{"render --scene studio --blur 1 --out build-x", "--blur: '1'"},
+        BadLine{"render --scene studio --blur 101% --out build-x", "--blur: '101%'"},
+        BadLine{"render --scene studio --exposure-time 8kg --out build-x", "--blur: '8kg'"},
+        BadLine{"render --scene studio --exposure-time 17ms --out build-x", "--blur: '17ms'"},
+        BadLine{"render --scene studio --row-time 40 --out build-x", "--row-time: 480 rows"},
+        BadLine{"render --scene studio --row-time -1 --out build-x", "--row-time"},
+        BadLine{"render --scene studio --filter cone --out build-x", "--filter"},
+        BadLine{"render --scene studio --pattern random --out build-x", "--pattern"},
         BadLine{"render --scene studio --noise white --out build-x", "--noise"},
         BadLine{"render --scene studio --photons 0 --noise emva --out build-x", "--photons: '0'"},
         BadLine{"render --scene studio --photons 9 --out build-x", "add --noise emva"},
@@ -112,7 +119,16 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"experiment accuracy --width 1 --out x", "--width"},
                     BadLine{"experiment accuracy --quick --preset best --out x", "'best'"},
                     BadLine{"experiment accuracy --quick --backend gpu --out x", "'gpu'"},
-                    BadLine{"experiment accuracy --out /usr", "silt did not write"}));
+                    BadLine{"experiment accuracy --out /usr", "silt did not write"},
+                    BadLine{"experiment photo-consistency --pairs 0", "--pairs"},
+                    BadLine{"experiment photo-consistency --scene studio --apart 1000 --fps 1",
+                            "shorter than a pair"}));
+
+INSTANTIATE_TEST_SUITE_P(Bench, BadCommandLine,
+                         testing::Values(BadLine{"bench", "subcommand"},
+                                         BadLine{"bench tracker", "tracker"},
+                                         BadLine{"bench render --scene palace", "'palace'"},
+                                         BadLine{"bench render --repeats 0", "--repeats"}));
 
 class EvaluateCommand : public testing::Test {
  protected:

@@ -67,6 +67,21 @@ TEST(Render, WritesAWholeSequenceWithItsManifest) {
   }
 }
 
+TEST(Render, TheShutterMayBeOpenForAShareOfTheFrameAndRoll) {
+  const TestFolder folder;
+  const ProgramResult result = RunSilt(
+      "render --scene studio --width 64 --fps 10 --duration 0.1 --exposure-time 25% --row-time 500 "
+      "--filter gaussian --pattern scrambled --out " +
+      Quoted(folder / "seq"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const auto render =
+      nlohmann::json::parse(ReadText(folder / "seq/manifest.json"))["config"]["render"];
+  EXPECT_DOUBLE_EQ(render["exposure_s"], 0.025);
+  EXPECT_DOUBLE_EQ(render["row_time_s"], 5e-4);
+  EXPECT_EQ(render["filter"], "gaussian");
+  EXPECT_EQ(render["pattern"], "scrambled");
+}
+
 // A limit on the size of files stands for a full disk, which takes no privilege to make.
 TEST(Render, OnAFullDiskLeavesNothing) {
   const TestFolder folder;

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/experiments/photo_consistency.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace silt::experiments {
+namespace {
+
+constexpr double kSameSurface = 0.02;  // of the depth: between neighbours on one surface
+constexpr double kInBetween_m = 1e-3;  // nearer things hide the point
+
+// Weights of four values about a place `t` of the way from the second to the third (Keys, a = −½).
+struct CubicWeights {
+  double w[4];
+
+  explicit CubicWeights(double t) {
+    w[0] = ((-0.5 * t + 1) * t - 0.5) * t;
+    w[1] = (1.5 * t - 2.5) * t * t + 1;
+    w[2] = ((-1.5 * t + 2) * t + 0.5) * t;
+    w[3] = (0.5 * t - 0.5) * t * t;
+  }
+};
+
+// (u, v) at least a pixel from the border.
+double Cubic(const Image<float>& image, double u, double v) {
+  const int x = int(u), y = int(v);
+  const CubicWeights across(u - x), down(v - y);
+  double sum = 0;
+  for (int j = 0; j < 4; ++j) {
+    double row = 0;
+    for (int i = 0; i < 4; ++i) row += across.w[i] * double(image(x - 1 + i, y - 1 + j));
+    sum += down.w[j] * row;
+  }
+  return sum;
+}
+
+// Whether all values that a cubic look-up at (u, v) reads lie on the surface at depth z.
+bool OnOneSurface(const Image<float>& depth_m, double u, double v, double z) {
+  for (int j = -1; j <= 2; ++j) {
+    for (int i = -1; i <= 2; ++i) {
+      const double there = depth_m(int(u) + i, int(v) + j);
+      if (!(std::abs(there - z) < kSameSurface * z)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+PhotoDifferences ComparePictures(const PinholeCamera& camera, const TrueView& onto,
+                                 const TrueView& from) {
+  PhotoDifferences differences;
+  const SE3d from_onto = from.world_from_camera.Inverse() * onto.world_from_camera;
+  for (int y = 1; y + 1 < camera.height; ++y) {
+    for (int x = 1; x + 1 < camera.width; ++x) {
+      const double z = onto.depth_m(x, y);
+      if (!(z > 0)) continue;
+      const Vec3d point = from_onto * camera.Unproject(x, y, z);
+      const Vec2d there = camera.Project(point);
+      const bool inside = point.z > 0 && there.x >= 1 && there.y >= 1 &&
+                          there.x < camera.width - 2 && there.y < camera.height - 2;
+      if (!inside || !OnOneSurface(from.depth_m, there.x, there.y, point.z) ||
+          !OnOneSurface(onto.depth_m, std::min(x, camera.width - 3), std::min(y, camera.height - 3),
+                        z)) {
+        ++differences.hidden;
+        continue;
+      }
+      const auto difference =
+          float(std::abs(Cubic(from.luma, there.x, there.y) - double(onto.luma(x, y))));
+      differences.all.push_back(difference);
+      const double gradient = 0.5 * std::hypot(onto.luma(x + 1, y) - onto.luma(x - 1, y),
+                                               onto.luma(x, y + 1) - onto.luma(x, y - 1));
+      if (gradient >= 0.5 && gradient <= 2) differences.at_gradients.push_back(difference);
+    }
+  }
+  return differences;
+}
+
+std::vector<double> CompareDepths(const sim::LitScene& scene, const PinholeCamera& camera,
+                                  const TrueView& onto, const SE3d& world_from_other) {
+  std::vector<double> differences;
+  const SE3d other_from_world = world_from_other.Inverse();
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      const double z = onto.depth_m(x, y);
+      if (!(z > 0)) continue;
+      const Vec3d world = onto.world_from_camera * camera.Unproject(x, y, z);
+      const Vec3d point = other_from_world * world;
+      if (!(point.z > 0) || !std::isfinite(point.z)) continue;
+      // With a direction of z = 1 in the other camera, distances are depths.
+      const Vec3d direction = (1 / point.z) * (world - world_from_other.translation);
+      sim::RayPacket rays{};
+      rays.Set(0, {world_from_other.translation.Cast<float>(), direction.Cast<float>()});
+      sim::HitPacket hits;
+      scene.tracer().Trace(rays, hits);
+      if (hits.triangle[0] == sim::kNoTriangle) continue;
+      const double other_z =
+          scene.plane(hits.triangle[0]).Distance(world_from_other.translation, direction);
+      const double difference = std::abs(other_z - point.z);
+      if (difference < kInBetween_m) differences.push_back(difference);
+    }
+  }
+  return differences;
+}
+
+}  // namespace silt::experiments
