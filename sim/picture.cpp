@@ -8,11 +8,26 @@
 
 #include "silt/core/color.h"
 #include "silt/core/error.h"
+#include "silt/sim/picture_size.h"
 
 namespace silt::sim {
 namespace {
 
+constexpr std::uint64_t kMostPixels = 1u << 26;
+constexpr std::size_t kMostBytes = std::size_t(1) << 30;
+
+// A picture that would take gigabytes, whatever its file is worth.
+void RefuseHuge(const std::string& bytes, const std::string& place) {
+  if (bytes.size() > kMostBytes) throw Error(place + ": is larger than 1 GiB");
+  const auto size = DeclaredPictureSize(bytes);
+  if (!size || size->width * size->height <= kMostPixels) return;
+  throw Error(place + ": has " + std::to_string(size->width) + " x " +
+              std::to_string(size->height) + " pixels, more than the " +
+              std::to_string(kMostPixels) + " that are read");
+}
+
 cv::Mat DecodeFile(const std::string& bytes, const std::string& place) {
+  RefuseHuge(bytes, place);
   cv::Mat image;
   if (!bytes.empty()) {
     const cv::Mat view(1, int(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));

@@ -54,6 +54,9 @@ TEST(SceneCheck, DarknessIsAnError) {
   EXPECT_THAT(CheckScene(scene), ErrorThat("emit are only seen"));
   scene.lights.push_back({});
   EXPECT_THAT(CheckScene(scene), IsEmpty());
+  scene.lights.clear();
+  scene.environment = std::make_shared<const Environment>(MakeSky({}));
+  EXPECT_THAT(CheckScene(scene), IsEmpty());
 }
 
 TEST(SceneCheck, ImpossibleMaterialsAreErrors) {
