@@ -19,6 +19,7 @@ struct Invocation {
 // where it fails.
 void AddRenderCommand(CLI::App& program, const Invocation& invocation);
 void AddTrackCommand(CLI::App& program, const Invocation& invocation);
+void AddAlignCommand(CLI::App& program, const Invocation& invocation);
 void AddEvaluateCommand(CLI::App& program, const Invocation& invocation);
 void AddExperimentCommand(CLI::App& program, const Invocation& invocation);
 void AddBenchCommand(CLI::App& program, const Invocation& invocation);

@@ -67,6 +67,7 @@ void AddCommands(CLI::App& app, const Invocation& invocation) {
       "  silt experiment accuracy --out results/accuracy");
   AddRenderCommand(app, invocation);
   AddTrackCommand(app, invocation);
+  AddAlignCommand(app, invocation);
   AddEvaluateCommand(app, invocation);
   AddExperimentCommand(app, invocation);
   AddBenchCommand(app, invocation);

@@ -84,6 +84,7 @@ class LevenbergMarquardt {
       result_.inverse_depth_scale = norm_.inverse_depth.scale / options_.robust_scale;
     }
     result_.ok = result_.failure.empty();
+    if (result_.ok) SetCovariance();
     result_.current_from_reference = result_.ok ? pose_ : initial;
     return std::move(result_);
   }
@@ -242,6 +243,17 @@ class LevenbergMarquardt {
   void CheckEnd() {
     if (result_.levels.empty()) return Fail("no pyramid level has enough measured pixels");
     if (!DeterminesPose(equations_)) Fail("the images' texture does not determine a pose");
+  }
+
+  // Depth residuals come with weights in these units already.
+  void SetCovariance() {
+    const double variance = norm_.use_depth     ? 1
+                            : options_.robust() ? result_.intensity_scale * result_.intensity_scale
+                                                : equations_.cost.mean_square();
+    const Matrix6 inverse = HessianMatrix(equations_).ldlt().solve(Matrix6::Identity());
+    for (int i = 0; i < 36; ++i) {
+      result_.covariance[i] = variance * 0.5 * (inverse(i / 6, i % 6) + inverse(i % 6, i / 6));
+    }
   }
 
   const Backend& backend_;

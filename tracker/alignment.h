@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ struct AlignmentResult {
   // The residuals' own scales where the norm is robust, else 0: σ of the intensity, and of the
   // inverse depth in 1/m, 0 where it was not compared.
   double intensity_scale = 0, inverse_depth_scale = 0;
+  // Of ξ = (ω, v), applied on the left of the pose: the inverse of the equations' matrix in units
+  // of the residuals' variance, row by row, in rad and m. Zeros where not ok. Residuals count as
+  // independent, which neighbouring pixels are not quite.
+  std::array<double, 36> covariance{};
 
   // ½Σr² at the finest level that was run.
   PhotometricCost final_cost() const {

@@ -64,7 +64,8 @@ KeyframeTracker::KeyframeTracker(const PinholeCamera& camera, const TrackerOptio
 
 KeyframeTracker::~KeyframeTracker() = default;
 
-TrackedFrame KeyframeTracker::Track(const Frame& frame) {
+TrackedFrame KeyframeTracker::Track(const Frame& frame,
+                                    const std::optional<SE3d>& expected_world_from_camera) {
   CheckFrame(frame);
   TrackedFrame result;
   result.time_s = frame.time_s;
@@ -72,7 +73,10 @@ TrackedFrame KeyframeTracker::Track(const Frame& frame) {
     const Stopwatch total(&result.times.total_ms);
     Image<float> intensity = Gray(frame, &result);
     // The first frame is the first keyframe; later ones are aligned with the nearest keyframe.
-    if (!keyframes_.empty()) Localize(frame, intensity, &result);
+    if (!keyframes_.empty()) {
+      const SE3d expected = expected_world_from_camera.value_or(Predicted(frame.time_s));
+      Localize(frame, intensity, expected, &result);
+    }
     if (NeedsNewKeyframe(result)) MakeKeyframe(frame, std::move(intensity), &result);
   }
   result.world_from_camera = world_from_camera_;
@@ -92,19 +96,18 @@ Image<float> KeyframeTracker::Gray(const Frame& frame, TrackedFrame* result) con
 }
 
 void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity,
-                               TrackedFrame* result) {
-  const SE3d predicted = Predicted(frame.time_s);
+                               const SE3d& expected, TrackedFrame* result) {
   // The position of the previous image defines the nearest keyframe (§3.1).
   const std::vector<int> nearest =
-      NearestKeyframes(keyframes_, options_.always_initialize ? world_from_camera_ : predicted,
+      NearestKeyframes(keyframes_, options_.always_initialize ? world_from_camera_ : expected,
                        options_.keyframes, options_.keyframes.joint);
   const Keyframe& keyframe = keyframes_[nearest.front()];
   result->keyframe_id = keyframe.id;
   const std::unique_ptr<CurrentPyramid> current = MakeCurrent(frame, intensity, result);
   // Initial T_cr (§3.2), then its refinement (§3.3).
-  const SE3d expected = predicted.Inverse() * keyframe.world_from_camera;
+  const SE3d start = expected.Inverse() * keyframe.world_from_camera;
   if (options_.always_initialize) Initialize(keyframe, frame, intensity, result);
-  Refine(nearest, *current, result->initial.current_from_keyframe.value_or(expected), result);
+  Refine(nearest, *current, result->initial.current_from_keyframe.value_or(start), result);
   if (result->status != TrackingStatus::kTracked && !options_.always_initialize &&
       Initialize(keyframe, frame, intensity, result)) {
     Refine(nearest, *current, *result->initial.current_from_keyframe, result);

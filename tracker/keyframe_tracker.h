@@ -54,7 +54,9 @@ class KeyframeTracker {
 
   // The next frame; the first one with a depth becomes the first keyframe. Throws silt::Error where
   // an image is not of the camera's size.
-  TrackedFrame Track(const Frame& frame);
+  // `expected_world_from_camera` replaces the start that the tracker would foretell itself.
+  TrackedFrame Track(const Frame& frame,
+                     const std::optional<SE3d>& expected_world_from_camera = std::nullopt);
 
   // In the order of creation: keyframes()[i].id == i.
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
@@ -69,7 +71,8 @@ class KeyframeTracker {
 
   void CheckFrame(const Frame& frame) const;
   Image<float> Gray(const Frame& frame, TrackedFrame* result) const;
-  void Localize(const Frame& frame, const Image<float>& intensity, TrackedFrame* result);
+  void Localize(const Frame& frame, const Image<float>& intensity, const SE3d& expected,
+                TrackedFrame* result);
   SE3d Predicted(double time_s) const;
   bool Initialize(const Keyframe& nearest, const Frame& frame, const Image<float>& intensity,
                   TrackedFrame* result);

@@ -85,7 +85,7 @@ TrackerOptions AccuratePreset() {
 
 TrackerOptions FastPreset() {
   TrackerOptions options = AccuratePreset();
-  options.alignment.max_iterations = {2, 3, 5, 5};
+  options.alignment.max_iterations = {2, 5, 10, 20};
   options.alignment.min_update_norm = 2e-5;
   options.keyframes.joint = 1;
   return options;
