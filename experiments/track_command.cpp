@@ -12,6 +12,7 @@
 #include "silt/core/error.h"
 #include "silt/core/io/tum_sequence.h"
 #include "silt/core/parallel.h"
+#include "silt/core/undistortion.h"
 #include "silt/experiments/case_runner.h"
 #include "silt/experiments/commands.h"
 #include "silt/experiments/evaluation.h"
@@ -39,6 +40,9 @@ struct Tracked {
   Trajectory truth;  // empty where there is none
   Json source;
 };
+
+// The tracker knows pinhole cameras only.
+constexpr const char* kUndistorts = "the frames are undistorted before they are tracked";
 
 std::string FrameOf(int number, int frames) {
   return "frame " + std::to_string(number) + " of " + std::to_string(frames);
@@ -81,11 +85,6 @@ Tracked TrackFolder(const Options& options) {
 
 Tracked TrackSimulation(const Options& options) {
   const RenderPlan plan = options.simulation.Plan();
-  if (!plan.options.lens.IsNone()) {
-    throw Error(
-        "--lens: the tracker takes pictures of a pinhole camera; render to a folder and "
-        "undistort them first");
-  }
   const World world = LoadWorld(options.simulation.scene, options.simulation.trajectory,
                                 options.simulation.Lighting());
   Tracked tracked;
@@ -94,8 +93,13 @@ Tracked TrackSimulation(const Options& options) {
   const int frames = int(tracked.truth.size());
   TrackingRun run(plan.options.camera, options.tracker, tracked.truth.front().world_from_camera);
   Progress progress(frames);
+  std::optional<Undistortion> undistortion;
+  if (!plan.options.lens.IsNone()) {
+    spdlog::info("{}", kUndistorts);
+    undistortion.emplace(plan.options.camera, plan.options.lens);
+  }
   ForEachFrame(world, plan, [&](const RenderedFrame& rendered) {
-    run.Track(rendered.frame);
+    run.Track(undistortion ? undistortion->Apply(rendered.frame) : rendered.frame);
     progress.Advance(1, FrameOf(rendered.number + 1, frames));
   });
   tracked.result = run.Result();

@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"track /tmp --camera 1 -2 3 4 --out x.txt", "fy must be positive"},
                     BadLine{"track --scene studio --camera 1 2 3 4 --out x.txt", "its own"},
                     BadLine{"track --scene studio --preset best --out x.txt", "'best'"},
-                    BadLine{"track --scene studio --lens 0.1 0 0 0 0 --out x.txt", "pinhole"},
+                    BadLine{"track --scene studio --lens -2 0 0 0 0 --out x.txt", "fold"},
                     BadLine{"track --scene studio --backend gpu --out x.txt", "'gpu'"},
                     BadLine{"track --scene studio --init magic --out x.txt", "'magic'"}));
 
