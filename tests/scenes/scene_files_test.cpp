@@ -42,6 +42,9 @@ TEST_P(ShippedSceneTest, LoadsAndPassesTheCheck) {
 // A folder says where it comes from, and shows itself in a small picture.
 TEST_P(ShippedSceneTest, IsDescribed) {
   EXPECT_TRUE(std::filesystem::exists(ShippedFile(GetParam(), "README.md")));
+  const std::filesystem::path picture = ShippedFile(GetParam(), "view.jpg");
+  ASSERT_TRUE(std::filesystem::exists(picture));
+  EXPECT_LE(std::filesystem::file_size(picture), 400'000u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedSceneTest, testing::ValuesIn(ShippedScenes()),
