@@ -51,6 +51,14 @@ void MakeFolder(const fs::path& folder) {
 
 }  // namespace
 
+// ".STEM.part-PID-COUNT" and an extension, as TemporaryNameBeside makes them.
+bool IsPartOfFile(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::size_t at = name.rfind(".part-");
+  return name.size() > 1 && name[0] == '.' && at != name.npos && at > 0 &&
+         name.find_first_of("0123456789", at) == at + 6;
+}
+
 void WriteFileAtomically(const fs::path& file, const std::function<bool(const fs::path&)>& write) {
   MakeFolder(file.parent_path());
   errno = 0;

@@ -19,4 +19,7 @@ void WriteFileAtomically(const std::filesystem::path& file, std::string_view con
 void WriteFileAtomically(const std::filesystem::path& file,
                          const std::function<bool(const std::filesystem::path&)>& write);
 
+// Whether a file is such a temporary one, which a process that was killed has left.
+bool IsPartOfFile(const std::filesystem::path& file);
+
 }  // namespace silt

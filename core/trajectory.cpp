@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "silt/core/trajectory.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "silt/core/atomic_file.h"
@@ -77,6 +79,26 @@ std::string FormatTumTrajectory(const Trajectory& trajectory) {
 
 void WriteTumTrajectory(const std::filesystem::path& file, const Trajectory& trajectory) {
   WriteFileAtomically(file, FormatTumTrajectory(trajectory));
+}
+
+std::optional<SE3d> InterpolatedPose(const Trajectory& trajectory, double time_s,
+                                     double widest_gap_s) {
+  // Times in files are rounded to a nanosecond.
+  constexpr double kSame_s = 2e-9;
+  const auto after =
+      std::lower_bound(trajectory.begin(), trajectory.end(), time_s - kSame_s,
+                       [](const StampedPose& pose, double time) { return pose.time_s < time; });
+  if (after == trajectory.end()) return std::nullopt;
+  if (after->time_s <= time_s + kSame_s) return after->world_from_camera;
+  if (after == trajectory.begin()) return std::nullopt;
+  const StampedPose& before = *std::prev(after);
+  const double gap_s = after->time_s - before.time_s;
+  if (gap_s > widest_gap_s) return std::nullopt;
+  const double share = (time_s - before.time_s) / gap_s;
+  const SE3d &a = before.world_from_camera, &b = after->world_from_camera;
+  const Vec3d turn = (a.rotation.Conjugate() * b.rotation).Log();
+  return SE3d{(a.rotation * Quaterniond::Exp(share * turn)).Normalized(),
+              a.translation + share * (b.translation - a.translation)};
 }
 
 double PathLength(const Trajectory& trajectory) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ Trajectory ParseTumTrajectory(std::istream& in, const std::string& name);
 // Nine digits after the point, so that a written pose is exact to a nanometre.
 std::string FormatTumTrajectory(const Trajectory& trajectory);
 void WriteTumTrajectory(const std::filesystem::path& file, const Trajectory& trajectory);
+
+// The pose at a time, on a straight line and an even turn between its neighbours; nothing where
+// there is none on either side or where they are more than `widest_gap_s` apart.
+std::optional<SE3d> InterpolatedPose(const Trajectory& trajectory, double time_s,
+                                     double widest_gap_s);
 
 // Sum of the distances between successive positions, in metres.
 double PathLength(const Trajectory& trajectory);

@@ -5,7 +5,9 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "silt/core/error.h"
@@ -13,6 +15,7 @@
 #include "silt/experiments/progress.h"
 #include "silt/experiments/resources.h"
 #include "silt/experiments/sensor_options.h"
+#include "silt/sim/content_hash.h"
 #include "silt/sim/path_file.h"
 
 namespace silt::experiments {
@@ -32,6 +35,13 @@ std::shared_ptr<const sim::LitScene> LoadLitScene(const std::filesystem::path& f
   return std::make_shared<const sim::LitScene>(std::move(scene), lighting);
 }
 
+// Of the text alone: tells an edited scene file from the one of an earlier run.
+std::string HashOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return sim::ContentHash().AddBytes(text.str().data(), text.str().size()).Digest();
+}
+
 }  // namespace
 
 sim::PoseAtTime World::Pose() const {
@@ -42,7 +52,9 @@ Json World::ToJson() const {
   const sim::PathStatistics s = path.Statistics();
   return {{"scene", scene->scene().name},
           {"scene_file", scene_file.string()},
+          {"scene_hash", HashOf(scene_file)},
           {"path_file", path_file.string()},
+          {"path_hash", HashOf(path_file)},
           {"path_duration_s", s.duration_s},
           {"path_length_m", s.length_m},
           {"triangles", scene->scene().mesh.triangles.size()},

@@ -18,6 +18,7 @@ struct Invocation {
 // Each adds one subcommand, which runs when the command line has been parsed and throws silt::Error
 // where it fails.
 void AddRenderCommand(CLI::App& program, const Invocation& invocation);
+void AddConvertCommand(CLI::App& program, const Invocation& invocation);
 void AddTrackCommand(CLI::App& program, const Invocation& invocation);
 void AddAlignCommand(CLI::App& program, const Invocation& invocation);
 void AddEvaluateCommand(CLI::App& program, const Invocation& invocation);

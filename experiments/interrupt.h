@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 namespace silt::experiments {
 
 // Thrown by ThrowIfInterrupted; unwinding removes what is half written.
-struct Interrupted {};
+struct Interrupted {
+  std::string consequence = "nothing half written is left";
+};
 
 // From now on the first SIGINT or SIGTERM is only noted; a second one ends the process.
 void CatchInterrupts();

@@ -10,46 +10,13 @@
 #include <vector>
 
 #include "silt/core/error.h"
+#include "silt/experiments/folder_ownership.h"
 #include "silt/experiments/output.h"
 
 namespace silt::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* const kManifest = "manifest.json";
-
-std::vector<std::string> EntryNames(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-// The entries that a manifest of silt's lists; none where there is no such manifest.
-std::vector<std::string> ListedEntries(const fs::path& folder) {
-  if (!fs::is_regular_file(folder / kManifest)) return {};
-  try {
-    const Json manifest = ReadJson(folder / kManifest);
-    if (manifest.value("program", "") != "silt") return {};
-    return manifest.value("entries", std::vector<std::string>());
-  } catch (const std::exception&) {
-    return {};
-  }
-}
-
-void RequireFree(const fs::path& place) {
-  if (!fs::exists(fs::symlink_status(place))) return;
-  if (!fs::is_directory(place)) throw Error(place.string() + ": is there and is no folder");
-  const std::vector<std::string> ours = ListedEntries(place);
-  for (const std::string& name : EntryNames(place)) {
-    if (std::find(ours.begin(), ours.end(), name) != ours.end()) continue;
-    throw Error(place.string() + ": holds '" + name +
-                "', which silt did not write there; choose an empty or a new folder");
-  }
-}
 
 fs::path Beside(const fs::path& place, const char* what) {
   return place.parent_path() /
@@ -62,10 +29,9 @@ fs::path Beside(const fs::path& place, const char* what) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& place)
-    : place_((fs::absolute(place) / "").lexically_normal().parent_path()) {
+OutputFolder::OutputFolder(const fs::path& place) : place_(NormalPlace(place)) {
   try {
-    RequireFree(place_);
+    RequireOwn(place_);
   } catch (const fs::filesystem_error& error) {
     Fail(place_, error.code());
   }

@@ -66,6 +66,7 @@ void AddCommands(CLI::App& app, const Invocation& invocation) {
       "Each command tells more with --help. A first try:\n"
       "  silt experiment accuracy --out results/accuracy");
   AddRenderCommand(app, invocation);
+  AddConvertCommand(app, invocation);
   AddTrackCommand(app, invocation);
   AddAlignCommand(app, invocation);
   AddEvaluateCommand(app, invocation);
@@ -94,8 +95,8 @@ int RunProgram(int argc, const char* const* argv) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     return Fail(std::string(error.what()) + " (--help tells more)", 2);
-  } catch (const Interrupted&) {
-    return Fail("interrupted; nothing half written is left", 130);
+  } catch (const Interrupted& interrupted) {
+    return Fail("interrupted; " + interrupted.consequence, 130);
   } catch (const std::bad_alloc&) {
     return Fail("out of memory", 1);
   } catch (const std::exception& error) {

@@ -42,10 +42,11 @@ Options Resolved(const Options& options) {
 
 // Renders the stretch into files, so that loading them can be timed.
 void WriteSequence(const World& world, const RenderPlan& plan, const std::filesystem::path& to) {
-  TumSequenceWriter writer(to, plan.options.camera);
-  Progress progress(double(TruePoses(world, plan.stretch).size()));
+  const Trajectory truth = TruePoses(world, plan.stretch);
+  TumSequenceWriter writer(to, {plan.options.camera, truth, {}});
+  Progress progress(double(truth.size()));
   ForEachFrame(world, plan, [&](const RenderedFrame& rendered) {
-    writer.Write(rendered.frame, rendered.truth.world_from_camera);
+    writer.Write(rendered.number, rendered.frame);
     progress.Advance(1, "rendering");
   });
   writer.Finish();

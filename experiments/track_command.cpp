@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "silt/core/error.h"
-#include "silt/core/io/tum_sequence.h"
+#include "silt/core/io/sequence_format.h"
 #include "silt/core/parallel.h"
 #include "silt/core/undistortion.h"
 #include "silt/experiments/case_runner.h"
@@ -28,7 +28,7 @@ namespace silt::experiments {
 namespace {
 
 struct Options {
-  std::string folder, out, json;
+  std::string folder, layout = "auto", out, json;
   std::vector<double> camera;  // fx fy cx cy, or empty
   int every = 1;
   SimulationOptions simulation;
@@ -59,25 +59,23 @@ PinholeCamera CameraFrom(const std::vector<double>& values) {
 
 // The folder's ground truth serves for the first pose and for the evaluation.
 Tracked TrackFolder(const Options& options) {
-  TumSequenceOptions reading;
-  reading.take_every = options.every;
-  TumSequence sequence(options.folder, reading, CameraFrom(options.camera));
+  const auto sequence =
+      OpenSequence(options.layout, options.folder, {CameraFrom(options.camera), options.every});
   Tracked tracked;
   tracked.source = {{"folder", options.folder}, {"take_every", options.every}};
-  const std::filesystem::path truth = std::filesystem::path(options.folder) / "groundtruth.txt";
-  if (std::filesystem::exists(truth)) tracked.truth = ReadTumTrajectory(truth);
+  tracked.truth = sequence->truth();
   SE3d first;
   if (!tracked.truth.empty()) {
-    const double start_s = sequence.entries().front().time_s;
+    const double start_s = sequence->times_s().front();
     first = tracked.truth[NearestIndex(Times(tracked.truth), start_s)].world_from_camera;
   }
-  TrackingRun run(sequence.camera(), options.tracker, first);
-  Progress progress(sequence.size());
+  TrackingRun run(sequence->camera(), options.tracker, first);
+  Progress progress(sequence->size());
   int number = 0;
-  while (const std::optional<Frame> frame = sequence.Next()) {
+  while (const std::optional<Frame> frame = sequence->Next()) {
     ThrowIfInterrupted();
     run.Track(*frame);
-    progress.Advance(1, FrameOf(++number, sequence.size()));
+    progress.Advance(1, FrameOf(++number, sequence->size()));
   }
   tracked.result = run.Result();
   return tracked;
@@ -175,10 +173,15 @@ void AddTrackCommand(CLI::App& program, const Invocation& invocation) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "track", "Estimate the camera's poses, from a folder or with the simulation in the loop");
-  command->add_option("folder", options->folder, "Sequence in TUM's layout");
+  command->add_option("folder", options->folder, "Sequence in a folder");
+  std::vector<std::string> layouts = ReadableFormats();
+  layouts.insert(layouts.begin(), "auto");
+  command->add_option("--layout", options->layout, "Its layout: tum, icl, euroc, raw; auto: look")
+      ->check(CLI::IsMember(layouts))
+      ->capture_default_str();
   command
       ->add_option("--camera", options->camera,
-                   "Its fx fy cx cy in pixels, instead of its camera.txt")
+                   "fx fy cx cy of a tum folder in pixels, instead of its camera.txt")
       ->expected(4);
   command->add_option("--out", options->out, "Trajectory to write, in TUM's format")->required();
   command->add_option("--json", options->json, "Write figures and manifest here (-: to stdout)");

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "silt/core/io/image_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <string>
 #include <vector>
 
 #include "silt/core/atomic_file.h"
@@ -37,6 +39,24 @@ void WritePng(const fs::path& file, const cv::Mat& image) {
     throw Error(file.string() + ": cannot be encoded as PNG");
   }
   WriteFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+template <typename T>
+void WriteChannel(const fs::path& file, const Image<T>& gray, int type) {
+  if (gray.empty()) throw Error(file.string() + ": an empty image cannot be written");
+  WritePng(file, cv::Mat(gray.height(), gray.width(), type, const_cast<T*>(gray.data())));
+}
+
+template <typename T>
+Image<T> ReadChannel(const fs::path& file, int type) {
+  const cv::Mat raw = ReadAny(file, cv::IMREAD_UNCHANGED);
+  if (raw.type() != type) {
+    throw Error(file.string() + ": is not an image of one channel of " +
+                std::to_string(8 * sizeof(T)) + " bits");
+  }
+  Image<T> gray(raw.cols, raw.rows);
+  for (int y = 0; y < raw.rows; ++y) std::copy_n(raw.ptr<T>(y), raw.cols, gray.row(y));
+  return gray;
 }
 
 }  // namespace
@@ -81,6 +101,19 @@ void WriteDepth(const fs::path& file, const Image<float>& depth_m, double per_me
     }
   }
   WritePng(file, raw);
+}
+
+void WriteGray(const fs::path& file, const Image<std::uint8_t>& gray) {
+  WriteChannel(file, gray, CV_8UC1);
+}
+void WriteGray(const fs::path& file, const Image<std::uint16_t>& gray) {
+  WriteChannel(file, gray, CV_16UC1);
+}
+Image<std::uint8_t> ReadGray8(const fs::path& file) {
+  return ReadChannel<std::uint8_t>(file, CV_8UC1);
+}
+Image<std::uint16_t> ReadGray16(const fs::path& file) {
+  return ReadChannel<std::uint16_t>(file, CV_16UC1);
 }
 
 }  // namespace silt

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "silt/core/image.h"
@@ -25,5 +26,11 @@ void WriteRgb(const std::filesystem::path& file, const Image<Rgb8>& rgb);
 // metre), like missing ones, become 0.
 void WriteDepth(const std::filesystem::path& file, const Image<float>& depth_m,
                 double per_metre = kTumDepthPerMetre);
+
+// PNG of one channel of 8 or 16 bits, and back exactly.
+void WriteGray(const std::filesystem::path& file, const Image<std::uint8_t>& gray);
+void WriteGray(const std::filesystem::path& file, const Image<std::uint16_t>& gray);
+Image<std::uint8_t> ReadGray8(const std::filesystem::path& file);
+Image<std::uint16_t> ReadGray16(const std::filesystem::path& file);
 
 }  // namespace silt

@@ -10,6 +10,7 @@
 
 #include "silt/core/atomic_file.h"
 #include "silt/core/error.h"
+#include "silt/core/io/icl_camera.h"
 #include "silt/core/io/image_file.h"
 
 namespace silt {
@@ -17,14 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const char* const kLists[] = {"camera.txt", "rgb.txt", "depth.txt", "associations.txt",
+                              "groundtruth.txt"};
+
 [[noreturn]] void FailAt(const fs::path& file, int line, const std::string& what) {
   throw Error(file.string() + ":" + std::to_string(line) + ": " + what);
-}
-
-std::string FrameName(std::size_t index) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%06zu.png", index);
-  return name;
 }
 
 struct ListLine {
@@ -115,6 +113,9 @@ std::vector<TumEntry> ReadEntries(const fs::path& folder, const TumSequenceOptio
 PinholeCamera ReadCamera(const fs::path& file) {
   std::vector<ListLine> lines;
   if (fs::exists(file)) lines = ReadList(file);
+  if (lines.size() == 1 && lines[0].words.size() == 11) {
+    FailAt(file, lines[0].number, "the lens has distortion; undistort the images first");
+  }
   if (lines.size() != 1 || lines[0].words.size() != 6) {
     throw Error(file.string() + ": expected one line 'fx fy cx cy width height'");
   }
@@ -130,8 +131,7 @@ PinholeCamera ReadCamera(const fs::path& file) {
 }
 
 void RemoveLists(const fs::path& folder) {
-  for (const char* list :
-       {"camera.txt", "rgb.txt", "depth.txt", "associations.txt", "groundtruth.txt"}) {
+  for (const char* list : kLists) {
     std::error_code error;
     fs::remove(folder / list, error);
     if (error) throw Error((folder / list).string() + ": cannot be removed: " + error.message());
@@ -140,36 +140,55 @@ void RemoveLists(const fs::path& folder) {
 
 }  // namespace
 
-TumSequenceWriter::TumSequenceWriter(fs::path folder, const PinholeCamera& camera)
-    : folder_(std::move(folder)), camera_(camera) {}
+TumSequenceWriter::TumSequenceWriter(fs::path folder, SequenceDescription description)
+    : folder_(std::move(folder)), description_(std::move(description)) {}
 
-void TumSequenceWriter::Write(const Frame& frame, const SE3d& world_from_camera) {
-  if (ground_truth_.empty()) RemoveLists(folder_);
-  const std::string name = FrameName(ground_truth_.size());
-  WriteRgb(folder_ / "rgb" / name, frame.rgb);
-  WriteDepth(folder_ / "depth" / name, frame.depth_m);
-  ground_truth_.push_back({frame.time_s, world_from_camera});
+std::vector<fs::path> TumSequenceWriter::FrameFiles(int number) const {
+  const std::string name = FrameName(number, ".png");
+  return {fs::path("rgb") / name, fs::path("depth") / name};
+}
+
+std::vector<fs::path> TumSequenceWriter::SequenceFiles() const {
+  return {std::begin(kLists), std::end(kLists)};
+}
+
+void TumSequenceWriter::Write(int number, const Frame& frame) {
+  if (!begun_) RemoveLists(folder_);
+  begun_ = true;
+  const std::vector<fs::path> files = FrameFiles(number);
+  WriteRgb(folder_ / files[0], frame.rgb);
+  WriteDepth(folder_ / files[1], frame.depth_m);
 }
 
 void TumSequenceWriter::Finish() {
   std::string rgb = "# time_s file\n", depth = rgb, both = "# time_s rgb time_s depth\n";
-  for (std::size_t i = 0; i < ground_truth_.size(); ++i) {
+  for (std::size_t i = 0; i < description_.truth.size(); ++i) {
     char time[32];
-    std::snprintf(time, sizeof time, "%.9f", ground_truth_[i].time_s);
-    const std::string rgb_line = std::string(time) + " rgb/" + FrameName(i);
-    const std::string depth_line = std::string(time) + " depth/" + FrameName(i);
+    std::snprintf(time, sizeof time, "%.9f", description_.truth[i].time_s);
+    const std::vector<fs::path> files = FrameFiles(int(i));
+    const std::string rgb_line = std::string(time) + " " + files[0].string();
+    const std::string depth_line = std::string(time) + " " + files[1].string();
     rgb += rgb_line + "\n";
     depth += depth_line + "\n";
     both += rgb_line + " " + depth_line + "\n";
   }
+  const PinholeCamera& c = description_.camera;
+  const LensDistortion& lens = description_.lens;
   char camera[256];
-  std::snprintf(camera, sizeof camera, "# fx fy cx cy width height\n%.9g %.9g %.9g %.9g %d %d\n",
-                camera_.fx, camera_.fy, camera_.cx, camera_.cy, camera_.width, camera_.height);
-  WriteFileAtomically(folder_ / "camera.txt", camera);
+  std::snprintf(camera, sizeof camera, "%.9g %.9g %.9g %.9g %d %d", c.fx, c.fy, c.cx, c.cy, c.width,
+                c.height);
+  char distortion[160] = "";
+  if (!lens.IsNone()) {
+    std::snprintf(distortion, sizeof distortion, " %.9g %.9g %.9g %.9g %.9g", lens.k1, lens.k2,
+                  lens.p1, lens.p2, lens.k3);
+  }
+  WriteFileAtomically(
+      folder_ / "camera.txt",
+      std::string("# fx fy cx cy width height [k1 k2 p1 p2 k3]\n") + camera + distortion + "\n");
   WriteFileAtomically(folder_ / "rgb.txt", rgb);
   WriteFileAtomically(folder_ / "depth.txt", depth);
   WriteFileAtomically(folder_ / "associations.txt", both);
-  WriteTumTrajectory(folder_ / "groundtruth.txt", ground_truth_);
+  WriteTumTrajectory(folder_ / "groundtruth.txt", description_.truth);
 }
 
 TumSequence::TumSequence(const fs::path& folder, const TumSequenceOptions& options,
@@ -188,6 +207,18 @@ TumSequence::TumSequence(const fs::path& folder, const TumSequenceOptions& optio
     camera_.width = first.width();
     camera_.height = first.height();
   }
+  if (fs::exists(folder / "groundtruth.txt")) {
+    truth_ = ReadTumTrajectory(folder / "groundtruth.txt");
+  }
+  if (camera_.fy > 0) return;
+  camera_.fy = -camera_.fy;
+  for (StampedPose& pose : truth_) pose.world_from_camera = SiltFromIcl(pose.world_from_camera);
+}
+
+std::vector<double> TumSequence::times_s() const {
+  std::vector<double> times;
+  for (const TumEntry& entry : entries_) times.push_back(entry.time_s);
+  return times;
 }
 
 std::optional<Frame> TumSequence::Next() {

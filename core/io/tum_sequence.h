@@ -7,27 +7,29 @@
 #include <vector>
 
 #include "silt/core/frame.h"
-#include "silt/core/trajectory.h"
+#include "silt/core/io/sequence_writer.h"
+#include "silt/core/recorded_sequence.h"
 
 // A sequence on disk in the layout of the TUM RGB-D benchmark:
 //   rgb/ depth/ rgb.txt depth.txt associations.txt groundtruth.txt camera.txt
-// camera.txt, which TUM keeps on its web page, holds one line `fx fy cx cy width height`.
+// camera.txt, which TUM keeps on its web page, holds one line `fx fy cx cy width height`, and
+// `k1 k2 p1 p2 k3` behind them where there is a lens (core/lens.h).
 namespace silt {
 
-// Writes frames as they come; the lists and the trajectory appear with Finish(), so that a folder
-// that has them is whole; those of an earlier sequence go with the first frame.
-class TumSequenceWriter {
+// The lists of an earlier sequence go with the first frame.
+class TumSequenceWriter : public SequenceWriter {
  public:
-  TumSequenceWriter(std::filesystem::path folder, const PinholeCamera& camera);
+  TumSequenceWriter(std::filesystem::path folder, SequenceDescription description);
 
-  // Writes the frame's images, named by its number.
-  void Write(const Frame& frame, const SE3d& world_from_camera);
-  void Finish();
+  std::vector<std::filesystem::path> FrameFiles(int number) const override;
+  std::vector<std::filesystem::path> SequenceFiles() const override;
+  void Write(int number, const Frame& frame) override;
+  void Finish() override;
 
  private:
   std::filesystem::path folder_;
-  PinholeCamera camera_;
-  Trajectory ground_truth_;
+  SequenceDescription description_;
+  bool begun_ = false;
 };
 
 // One frame's files and time.
@@ -44,22 +46,27 @@ struct TumSequenceOptions {
 
 // Reads a folder as a source of frames. Without associations.txt, rgb.txt and depth.txt are
 // associated by time. Throws silt::Error with file and line.
-class TumSequence : public FrameSource {
+class TumSequence : public RecordedSequence {
  public:
   // `camera` replaces camera.txt; without a focal length the file is asked for, and without a width
-  // the first image.
+  // the first image. With fy < 0, as ICL-NUIM's TUM folders have it, the true poses are taken to be
+  // in that dataset's axes (icl_camera.h) and the camera's fy is turned positive.
   TumSequence(const std::filesystem::path& folder, const TumSequenceOptions& options = {},
               const PinholeCamera& camera = {});
 
   const PinholeCamera& camera() const override { return camera_; }
   int size() const override { return int(entries_.size()); }
   std::optional<Frame> Next() override;
+  std::vector<double> times_s() const override;
+  // Of groundtruth.txt, if there is one.
+  const Trajectory& truth() const override { return truth_; }
   const std::vector<TumEntry>& entries() const { return entries_; }
 
  private:
   TumSequenceOptions options_;
   PinholeCamera camera_;
   std::vector<TumEntry> entries_;
+  Trajectory truth_;
   std::size_t next_ = 0;
 };
 

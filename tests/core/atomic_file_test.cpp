@@ -197,5 +197,20 @@ TEST_F(AtomicFileTest, ReadersSeeOneWriterOrTheOther) {
   EXPECT_EQ(FilesInFolder(), 1u);
 }
 
+TEST(IsPartOfFile, KnowsTheNamesOfFilesThatWereBegun) {
+  const fs::path folder = fs::path(testing::TempDir());
+  fs::path part;
+  WriteFileAtomically(folder / "a.b.txt", [&](const fs::path& temporary) {
+    part = temporary;
+    return bool(std::ofstream(temporary) << "x");
+  });
+  EXPECT_TRUE(IsPartOfFile(part)) << part;
+  EXPECT_FALSE(IsPartOfFile(folder / "a.b.txt"));
+  for (const char* name : {"a.part-1", ".hidden", ".part-1", ".a.part-", ".a.part-x", ""}) {
+    EXPECT_FALSE(IsPartOfFile(name)) << name;
+  }
+  fs::remove(folder / "a.b.txt");
+}
+
 }  // namespace
 }  // namespace silt

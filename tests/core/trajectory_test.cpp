@@ -151,5 +151,26 @@ TEST(TrajectoryTest, PathLengthAddsTheSteps) {
   EXPECT_DOUBLE_EQ(PathLength(corner), 7);
 }
 
+TEST(InterpolatedPose, LiesBetweenItsNeighbours) {
+  const SE3d a{Quaterniond::Exp({0, 0, 0.2}), {1, 2, 3}},
+      b{Quaterniond::Exp({0, 0, 0.6}), {3, 2, 1}};
+  const Trajectory trajectory{{1.0, a}, {1.08, b}, {2.0, a}};
+  const std::optional<SE3d> between = InterpolatedPose(trajectory, 1.02, 0.1);
+  ASSERT_TRUE(between);
+  EXPECT_LT(Norm(between->translation - Vec3d{1.5, 2, 2.5}), 1e-9);
+  EXPECT_NEAR(between->rotation.Log().z, 0.3, 1e-9);
+  EXPECT_EQ(InterpolatedPose(trajectory, 1.08 + 1e-9, 0.1)->translation.x, 3);
+}
+
+TEST(InterpolatedPose, IsNoneBeyondTheEndsAndInWideGaps) {
+  const Trajectory trajectory{{1.0, {}}, {1.08, {}}, {2.0, {}}};
+  EXPECT_FALSE(InterpolatedPose(trajectory, 0.99, 0.1));
+  EXPECT_FALSE(InterpolatedPose(trajectory, 1.5, 0.1));
+  EXPECT_FALSE(InterpolatedPose(trajectory, 2.01, 0.1));
+  EXPECT_TRUE(InterpolatedPose(trajectory, 1.0, 0.1));
+  EXPECT_TRUE(InterpolatedPose(trajectory, 2.0, 0.1));
+  EXPECT_FALSE(InterpolatedPose({}, 0, 0.1));
+}
+
 }  // namespace
 }  // namespace silt

@@ -95,7 +95,7 @@ TEST(Render, OnAFullDiskLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
 }
 
-TEST(Render, InterruptedLeavesNothing) {
+TEST(Render, InterruptedLeavesWholeFramesToGoOnWith) {
   const TestFolder folder;
   const ProgramResult result =
       RunSilt("render --scene studio --width 320 --spp 64 --fps 1000 --duration 1 --out " +
@@ -103,8 +103,10 @@ TEST(Render, InterruptedLeavesNothing) {
               "timeout --preserve-status --signal INT 5");
   EXPECT_EQ(result.exit_code, 130);
   EXPECT_THAT(result.error, HasSubstr("silt: interrupted"));
-  EXPECT_TRUE(!std::filesystem::exists(folder / "out") ||
-              std::filesystem::is_empty(folder / "out"));
+  if (!std::filesystem::exists(folder / "out/seq")) return;  // not a frame yet
+  EXPECT_THAT(result.error, HasSubstr("of 1000 frames are there; the same command goes on"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/seq/unfinished.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/seq/manifest.json"));
 }
 
 class Accuracy : public testing::Test {

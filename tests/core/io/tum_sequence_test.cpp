@@ -32,9 +32,16 @@ class TumSequenceTest : public testing::Test {
             Image<float>(8, 6, 1 + 0.1f * float(i))};
   }
   void WriteSequence(int frames) const {
-    TumSequenceWriter writer(folder_, kSmall);
-    for (int i = 0; i < frames; ++i) writer.Write(FrameAt(i), {{}, {double(i), 0, 0}});
+    TumSequenceWriter writer(folder_, Description(frames));
+    for (int i = 0; i < frames; ++i) writer.Write(i, FrameAt(i));
     writer.Finish();
+  }
+  static SequenceDescription Description(int frames) {
+    SequenceDescription description{kSmall, {}, {}};
+    for (int i = 0; i < frames; ++i) {
+      description.truth.push_back({FrameAt(i).time_s, {{}, {double(i), 0, 0}}});
+    }
+    return description;
   }
   void Overwrite(const char* name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
@@ -82,8 +89,8 @@ TEST_F(TumSequenceTest, GroundTruthBearsTheFramesTimes) {
 }
 
 TEST_F(TumSequenceTest, ListsAppearOnlyWithFinish) {
-  TumSequenceWriter writer(folder_, kSmall);
-  writer.Write(FrameAt(0), {});
+  TumSequenceWriter writer(folder_, Description(1));
+  writer.Write(0, FrameAt(0));
   EXPECT_FALSE(fs::exists(folder_ / "associations.txt"));
   EXPECT_FALSE(fs::exists(folder_ / "groundtruth.txt"));
   writer.Finish();
@@ -93,12 +100,28 @@ TEST_F(TumSequenceTest, ListsAppearOnlyWithFinish) {
 
 TEST_F(TumSequenceTest, ListsOfAnEarlierSequenceGoWithTheFirstFrame) {
   WriteSequence(3);
-  TumSequenceWriter writer(folder_, kSmall);
+  TumSequenceWriter writer(folder_, Description(1));
   EXPECT_EQ(TumSequence(folder_).size(), 3);
-  writer.Write(FrameAt(0), {});
+  writer.Write(0, FrameAt(0));
   for (const char* list : {"camera.txt", "rgb.txt", "depth.txt", "associations.txt"}) {
     EXPECT_FALSE(fs::exists(folder_ / list)) << list;
   }
+}
+
+// As a render does that goes on where it was interrupted.
+TEST_F(TumSequenceTest, FramesMayComeInAnyOrderAndAreKnownToBeThere) {
+  TumSequenceWriter writer(folder_, Description(3));
+  writer.Write(2, FrameAt(2));
+  EXPECT_TRUE(HasFrame(folder_, writer, 2));
+  EXPECT_FALSE(HasFrame(folder_, writer, 0));
+  writer.Write(0, FrameAt(0));
+  fs::remove(folder_ / "depth/000000.png");
+  EXPECT_FALSE(HasFrame(folder_, writer, 0));
+  writer.Write(0, FrameAt(0));
+  writer.Write(1, FrameAt(1));
+  writer.Finish();
+  TumSequence sequence(folder_);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(sequence.Next()->rgb, FrameAt(i).rgb) << i;
 }
 
 TEST_F(TumSequenceTest, TakeEveryThins) {
@@ -116,6 +139,20 @@ TEST_F(TumSequenceTest, GivenCameraReplacesTheFile) {
   camera.fx = 30;
   EXPECT_EQ(TumSequence(folder_, {}, camera).camera().fx, 30);
   EXPECT_THAT(ErrorOfOpening(), HasSubstr("camera.txt: expected one line"));
+}
+
+TEST_F(TumSequenceTest, ALensIsWrittenAndRefusedByTheReaderOfPinholes) {
+  SequenceDescription description = Description(1);
+  description.lens = {-0.25, 0.0625, 0.001, -0.002, 0.5};
+  TumSequenceWriter writer(folder_, description);
+  writer.Write(0, FrameAt(0));
+  writer.Finish();
+  std::ifstream camera(folder_ / "camera.txt");
+  std::string line;
+  std::getline(camera, line);
+  std::getline(camera, line);
+  EXPECT_EQ(line, "20 21 3.5 2.5 8 6 -0.25 0.0625 0.001 -0.002 0.5");
+  EXPECT_THAT(ErrorOfOpening(), HasSubstr("camera.txt:2: the lens has distortion"));
 }
 
 TEST_F(TumSequenceTest, ACameraWithoutASizeTakesTheFirstImages) {
