@@ -155,7 +155,7 @@ void Run(Options options, const Invocation& invocation) {
 void AddTrackerOptions(CLI::App& command, Options& options) {
   command
       .add_option("--preset", options.tracker.preset,
-                  "Tracker: paper, paper-all-pixels (hidden ones too)")
+                  "Tracker: paper, paper-all-pixels (hidden ones too), accurate, fast")
       ->capture_default_str();
   command
       .add_option("--backend", options.tracker.backend,
