@@ -150,7 +150,7 @@ TEST(PathCommand, CheckNamesWhatIsInTheWay) {
   EXPECT_THAT(clear.out, HasSubstr("keeps clear"));
 }
 
-TEST(RenderCommand, RefusesAPathThroughAWall) {
+TEST(CrossingPath, IsNotRendered) {
   const TestFolder folder;
   const std::string scene = Write(folder / "scene.toml", kWall);
   Write(folder / "through.toml", kThrough);
