@@ -94,7 +94,8 @@ void AddOptions(CLI::App& command, Options& o) {
                  1, 4096);
   RequireInteger(command.add_option("--width", o.accuracy.width, "Width of the image"), 64, 8192);
   command
-      .add_option("--preset", o.accuracy.presets, "Trackers to compare: paper, paper-all-pixels")
+      .add_option("--preset", o.accuracy.presets,
+                  "Trackers to compare: paper, paper-all-pixels, accurate, fast")
       ->capture_default_str();
   command
       .add_option("--backend", o.accuracy.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512 or cuda")
