@@ -58,7 +58,8 @@ Json World::ToJson() const {
           {"path_duration_s", s.duration_s},
           {"path_length_m", s.length_m},
           {"triangles", scene->scene().mesh.triangles.size()},
-          {"light", scene->light() == sim::LightMode::kPath ? "path" : "baked"}};
+          {"light", scene->light() == sim::LightMode::kPath ? "path" : "baked"},
+          {"specular", scene->reflection() != nullptr}};
 }
 
 World LoadWorld(const std::string& scene, const std::string& path,
@@ -96,14 +97,36 @@ Json RenderPlan::ToJson() const {
             {"filter", options.filter == sim::PixelFilter::kBox ? "box" : "gaussian"},
             {"pattern", options.pattern == sim::PixelPattern::kShared ? "shared" : "scrambled"},
             {"seeds", noise_seeds.empty() ? std::vector{options.seed} : noise_seeds}};
+  using Kind = sim::Exposure::Kind;
+  if (options.exposure.kind == Kind::kGiven) json["exposure"] = options.exposure.value;
+  if (options.exposure.kind == Kind::kScene) json["exposure"] = "scene";
+  if (options.exposure.kind == Kind::kPerFrame) json["exposure"] = "auto-frame";
   json.update(SensorJson(options));
   json.update(stretch.ToJson());
   return json;
 }
 
+RenderPlan WithExposure(const World& world, const RenderPlan& plan) {
+  RenderPlan resolved = plan;
+  if (!plan.meter_exposure) return resolved;
+  constexpr std::size_t pictures = 8;
+  sim::RenderOptions options;
+  options.camera = IclNuimCameraOfWidth(160);
+  const sim::Renderer renderer(world.scene, options);
+  const Trajectory poses = TruePoses(world, plan.stretch);
+  std::vector<Image<Vec3f>> radiance;
+  for (std::size_t i = 0; i < pictures; ++i) {
+    const StampedPose& pose = poses[i * (poses.size() - 1) / (pictures - 1)];
+    radiance.push_back(renderer.RenderLinear(world.Pose(), pose.time_s));
+  }
+  resolved.options.exposure = {sim::Exposure::Kind::kGiven, sim::MeteredExposure(radiance)};
+  resolved.meter_exposure = false;
+  return resolved;
+}
+
 void ForEachFrame(const World& world, const RenderPlan& plan,
                   const std::function<void(const RenderedFrame&)>& visit) {
-  const sim::Renderer renderer(world.scene, plan.options);
+  const sim::Renderer renderer(world.scene, WithExposure(world, plan).options);
   const std::vector<std::uint64_t> seeds =
       plan.noise_seeds.empty() ? std::vector{plan.options.seed} : plan.noise_seeds;
   RenderedFrame rendered;

@@ -50,6 +50,7 @@ Trajectory TruePoses(const World& world, const Stretch& stretch);
 // What is rendered: a stretch with one shutter and sensor.
 struct RenderPlan {
   sim::RenderOptions options;
+  bool meter_exposure = false;  // one for the whole stretch, instead of options.exposure
   Stretch stretch;
   // With noise, each instant is rendered once and handed over once for each of these seeds; empty:
   // for options.seed alone.
@@ -57,6 +58,10 @@ struct RenderPlan {
 
   Json ToJson() const;
 };
+
+// The plan with the exposure that its stretch of the path asks for, where it is to be metered: that
+// of eight small pictures along it.
+RenderPlan WithExposure(const World& world, const RenderPlan& plan);
 
 struct RenderedFrame {
   int number = 0;  // from 0 within the stretch

@@ -32,6 +32,7 @@ void AddInfoCommand(CLI::App& program, const Invocation& invocation);
 void AddAccuracyExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddConvergenceExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddInitializationExperiment(CLI::App& experiments, const Invocation& invocation);
+void AddLightExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddPhotoConsistencyExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddTimingExperiment(CLI::App& experiments, const Invocation& invocation);
 

@@ -13,6 +13,7 @@ void AddExperimentCommand(CLI::App& program, const Invocation& invocation) {
   AddAccuracyExperiment(*command, invocation);
   AddConvergenceExperiment(*command, invocation);
   AddInitializationExperiment(*command, invocation);
+  AddLightExperiment(*command, invocation);
   AddPhotoConsistencyExperiment(*command, invocation);
   AddTimingExperiment(*command, invocation);
 }

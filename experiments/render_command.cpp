@@ -56,6 +56,7 @@ void Run(const Options& options, const Invocation& invocation) {
   const World world = LoadWorld(simulation.scene, simulation.trajectory, simulation.Lighting());
   TruePoses(world, request.plan.stretch);  // throws where the stretch leaves the path
   if (!options.allow_crossing) RequireNoCrossing(world, request.plan.stretch);
+  request.plan = WithExposure(world, request.plan);
   RunRender(world, request, invocation.command_line);
 }
 

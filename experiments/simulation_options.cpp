@@ -38,6 +38,24 @@ double RowSeconds(double row_time_us, int rows, double fps) {
   return 1e-6 * row_time_us;
 }
 
+void SetExposure(const std::string& exposure, RenderPlan& plan) {
+  using Kind = sim::Exposure::Kind;
+  if (exposure == "scene") return;
+  plan.meter_exposure = exposure == "auto";
+  if (exposure == "auto") return;
+  if (exposure == "auto-frame") {
+    plan.options.exposure.kind = Kind::kPerFrame;
+    return;
+  }
+  char* end = nullptr;
+  const double value = std::strtod(exposure.c_str(), &end);
+  if (exposure.empty() || *end != '\0' || !std::isfinite(value) || value <= 0) {
+    throw Error("--exposure: '" + exposure +
+                "' is neither scene, auto, auto-frame nor a number above 0");
+  }
+  plan.options.exposure = {Kind::kGiven, value};
+}
+
 }  // namespace
 
 RenderPlan SimulationOptions::Plan() const {
@@ -51,6 +69,7 @@ RenderPlan SimulationOptions::Plan() const {
   if (filter == "gaussian") plan.options.filter = sim::PixelFilter::kGaussian;
   if (pattern == "scrambled") plan.options.pattern = sim::PixelPattern::kScrambled;
   sensor.Apply(plan.options);
+  SetExposure(exposure, plan);
   plan.options.seed = seed;
   plan.stretch = {fps, start_s, duration_s};
   return plan;
@@ -59,6 +78,7 @@ RenderPlan SimulationOptions::Plan() const {
 sim::LightingOptions SimulationOptions::Lighting() const {
   sim::LightingOptions lighting;
   if (light == "path") lighting.mode = sim::LightMode::kPath;
+  lighting.specular = specular;
   return lighting;
 }
 
@@ -86,6 +106,14 @@ void AddSimulationOptions(CLI::App& command, SimulationOptions& o, bool required
                         "baked: computed once on all surfaces, without noise; path: traced for "
                         "each pixel, --spp paths each, exact but noisy and slow")
             ->check(CLI::IsMember({"baked", "path"}))
+            ->capture_default_str());
+  group(command.add_flag("--specular", o.specular,
+                         "Add reflections, which depend on the viewpoint, to baked light (path "
+                         "always shows them)"));
+  group(command
+            .add_option("--exposure", o.exposure,
+                        "scene: as the scene says; a number: radiance times it = 1 is white; auto: "
+                        "one for the sequence, metered along it; auto-frame: metered in each frame")
             ->capture_default_str());
   integer("--width", o.width, 16, 8192, "Width of the image; its height is 3/4 of it");
   group(command

@@ -21,7 +21,8 @@ struct SimulationOptions {
   int samples_per_pixel = 4, time_samples = 16, width = 640;
   double row_time_us = 0;
   std::string blur = "0", filter = "box", pattern = "shared";
-  std::string light = "baked";
+  std::string light = "baked", exposure = "scene";
+  bool specular = false;
   SensorCommandOptions sensor;
   std::uint64_t seed = 0;
   int threads = 0;

@@ -39,7 +39,15 @@ Bsdf::Bsdf(const Material& material, const Vec3f& color, bool with_reflection) :
   alpha_ = material.roughness * material.roughness;
   const float metal = material.metallic, coat = (1 - metal) * material.specular;
   f0_ = metal * color + coat * kWhite;
+  metallic_ = metal;
   ground_ = (1 - metal) * color;
+}
+
+Vec3f Bsdf::GroundShare(const Vec3f& out) const {
+  if (mirror_) return {};
+  if (!glossy_) return kWhite;
+  const Vec3f through = kWhite - DirectionalAlbedo(Facing(out).z, alpha_).Of(f0_);
+  return (1 - metallic_) * through;
 }
 
 Vec3f Bsdf::GroundAlbedo(const Vec3f& out) const {

@@ -33,6 +33,8 @@ class Bsdf {
 
   bool is_mirror() const { return mirror_; }
   bool is_glossy() const { return glossy_; }
+  // The part of a matt surface's light that leaves through the coat towards `out`.
+  Vec3f GroundShare(const Vec3f& out) const;
   // The ground's reflectance towards `out` where light comes from all sides alike.
   Vec3f GroundAlbedo(const Vec3f& out) const;
   // The same Bsdf without its ground.
@@ -44,6 +46,7 @@ class Bsdf {
 
   Vec3f ground_, f0_;
   float alpha_ = 1;
+  float metallic_ = 0;
   bool glossy_ = false, mirror_ = false;
 };
 

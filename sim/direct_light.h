@@ -2,29 +2,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include "silt/sim/ray_tracer.h"
 #include "silt/sim/surface_point.h"
 
 namespace silt::sim {
 
 // Light that arrives straight from a scene's rectangles. Each light's share is its exact form
-// factor times the visible part of a fixed set of points on it: smooth where nothing is in between,
-// and the same set everywhere, so that soft shadows carry no noise.
+// factor times the visible part of it, which a fixed grid of points tells: smooth where nothing is
+// in between, and the same grid everywhere, so that soft shadows carry no noise. The grid's cells
+// that the edge of a shadow crosses are looked at again, each with kEdge² points.
 class DirectLight {
  public:
-  DirectLight(const Scene& scene, const RayTracer& tracer, int points_per_light);
+  // `points` along either side of a light; half as many where it could do no more
+  // than a lamp does.
+  DirectLight(const Scene& scene, const RayTracer& tracer, int points);
 
   Vec3f Irradiance(const Vec3f& position, const Vec3f& unit_normal) const;
 
  private:
+  static constexpr int kEdge = 4;
+
+  struct View;  // of a light from a point
+
   // Share of the light that reaches the point, weighted by cos θ cos θ' / r².
-  float Visibility(std::size_t light, const Vec3f& position, const Vec3f& normal) const;
+  float Visibility(const View& view, int points) const;
+  // Of one of the grid's cells, the part that does not.
+  float HiddenShare(const View& view, int points, const Vec2<int>& cell) const;
 
   const Scene& scene_;
   const RayTracer& tracer_;
-  std::vector<std::vector<Vec3f>> points_;  // per light
+  int points_;
 };
 
 }  // namespace silt::sim

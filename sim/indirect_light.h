@@ -2,28 +2,44 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "silt/sim/ray_tracer.h"
+#include "silt/sim/surface_point.h"
 
 namespace silt::sim {
 
-// Radiance that a surface sends towards a ray that hits it.
-using SurfaceRadiance = std::function<Vec3f(std::uint32_t triangle, float u, float v, bool front)>;
+// Radiance that a surface sends along a ray that meets it, against the ray's unit direction.
+using SurfaceRadiance = std::function<Vec3f(const TriangleHit& hit, const Vec3f& direction)>;
 
-// Light that arrives from surfaces, and from the ambient where a direction meets none:
-// E = π/N Σ L(ω_i) over a fixed set of N directions with density cos θ / π.
+// What a hemisphere of rays has met.
+struct Gathered {
+  Vec3f irradiance;
+  // Harmonic mean of the distances: light changes about as slowly along the surface as this is
+  // long (Ward, Rubinstein, Clear 1988).
+  float distance_m = 0;
+  // Inside something: all rays end close by, or at backs. Nobody looks at this place.
+  bool buried = false;
+};
+
+// Light that arrives from surfaces, and from a constant ambient where a direction meets none (that
+// of an Environment is found otherwise, see EnvironmentLight):
+// E = π/N Σ L(ω_i) over N directions with density cos θ / π, evenly spread by Vogel's spiral and
+// turned about the normal by chance.
 class IndirectLight {
  public:
-  IndirectLight(const Scene& scene, const RayTracer& tracer, int directions);
+  IndirectLight(const Scene& scene, const RayTracer& tracer, int directions, std::uint64_t seed);
 
-  Vec3f Irradiance(const Vec3f& position, const Vec3f& unit_normal,
-                   const SurfaceRadiance& radiance) const;
+  // `place` numbers the point: each has a turn of its own.
+  Gathered Gather(const Vec3f& position, const Vec3f& unit_normal, std::uint64_t place,
+                  const SurfaceRadiance& radiance) const;
 
  private:
   const Scene& scene_;
   const RayTracer& tracer_;
+  std::uint64_t seed_;
   std::vector<Vec3f> directions_;  // about +z
 };
 

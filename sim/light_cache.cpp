@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Rises with every change of what SolveLight or SurfaceGrid compute.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kDigestSize = 32;
 constexpr std::string_view kPrefix = "light-";
 constexpr std::size_t kEntries = 8;  // of some 35 MB for a furnished room
@@ -34,12 +34,13 @@ std::optional<fs::path> CacheFolder() {
   return std::nullopt;
 }
 
-void AddTextures(const Scene& scene, ContentHash& hash) {
-  hash.AddArray(MeanAlbedos(scene));
-  for (const Material& material : scene.materials) {
-    hash.Add(material.two_sided).Add(material.cutout);
-    if (!material.cutout || material.texture < 0) continue;
-    const Image<Rgba8>& picture = scene.textures[std::size_t(material.texture)].level(0);
+void AddMaterials(const Scene& scene, ContentHash& hash) {
+  for (const Material& m : scene.materials) {
+    hash.AddBytes(&m.diffuse, sizeof(m.diffuse)).AddBytes(&m.emission, sizeof(m.emission));
+    hash.Add(m.two_sided).Add(m.cutout).Add(m.texture);
+  }
+  for (const Texture& texture : scene.textures) {
+    const Image<Rgba8>& picture = texture.level(0);
     hash.Add(picture.width()).AddBytes(picture.data(), picture.size() * sizeof(Rgba8));
   }
 }
@@ -78,20 +79,24 @@ std::optional<fs::path> LightCacheFile(const Scene& scene, const LightingOptions
   if (!folder) return std::nullopt;
   ContentHash hash;
   hash.Add(kVersion).Add(options.direct_spacing_m).Add(options.indirect_spacing_m);
-  hash.Add(options.light_points).Add(options.wide_gather_directions);
-  hash.Add(options.small_gather_directions);
+  hash.Add(options.bounce_spacing_m).Add(options.light_points);
+  hash.Add(options.environment_directions)
+      .Add(options.gather_directions)
+      .Add(options.bounce_directions)
+      .Add(options.bounces);
+  hash.Add(options.seed);
   hash.AddArray(scene.mesh.positions).AddArray(scene.mesh.normals);
   hash.AddArray(scene.mesh.texcoords).AddArray(scene.mesh.triangles);
   hash.AddArray(scene.lights).AddBytes(&scene.ambient, sizeof(scene.ambient));
   AddEnvironment(scene, hash);
-  AddTextures(scene, hash);
+  AddMaterials(scene, hash);
   return *folder / (std::string(kPrefix) + hash.Digest());
 }
 
 std::optional<StoredLight> ReadLight(const fs::path& file, std::size_t samples) {
   std::ifstream in(file, std::ios::binary);
   std::string checksum(kDigestSize, '\0');
-  StoredLight light{std::vector<Vec3f>(samples), std::vector<Vec3f>(samples)};
+  StoredLight light(samples);
   in.read(checksum.data(), kDigestSize);
   for (std::vector<Vec3f>* values : {&light.front, &light.back}) {
     in.read(reinterpret_cast<char*>(values->data()),

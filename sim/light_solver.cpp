@@ -3,19 +3,26 @@
 #include "silt/sim/light_solver.h"
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
+#include <utility>
 
 #include "silt/core/parallel.h"
 #include "silt/sim/denormals.h"
 #include "silt/sim/direct_light.h"
+#include "silt/sim/environment_light.h"
+#include "silt/sim/gathered_light.h"
 #include "silt/sim/indirect_light.h"
+#include "silt/sim/surface_colors.h"
 
 namespace silt::sim {
 
 namespace {
 
-// Share of the progress that direct light takes; measured on the office.
-constexpr double kDirectShare = 0.3;
+// Shares of the work, measured on the office.
+constexpr double kDirectDone = 0.3, kBouncesDone = 0.5;
+// After so many passes the rest of the series of reflections is extrapolated.
+constexpr int kExtrapolateAfter = 3;
+constexpr float kFillInSpacings = 2.5f;
 
 struct ProgressRange {
   double from, to;
@@ -38,68 +45,169 @@ void ForSamples(std::size_t n, const LightingOptions& options, const ProgressRan
   }
 }
 
-StoredLight SolveDirect(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
-                        const LightingOptions& options) {
-  const std::vector<SurfaceSample>& samples = grid.samples();
-  StoredLight light{std::vector<Vec3f>(samples.size()), std::vector<Vec3f>(samples.size())};
-  const DirectLight direct(scene, tracer, options.light_points);
-  ForSamples(samples.size(), options, {0, kDirectShare}, [&](std::size_t i) {
-    light.front[i] = direct.Irradiance(samples[i].position, samples[i].normal);
-    light.back[i] = direct.Irradiance(samples[i].position, -samples[i].normal);
-  });
-  return light;
+Vec3d Total(const StoredLight& light) {
+  Vec3d sum;
+  for (const std::vector<Vec3f>* side : {&light.front, &light.back}) {
+    for (const Vec3f& e : *side) sum += e.Cast<double>();
+  }
+  return sum;
 }
 
-// On a coarser grid of its own, since indirect light is smooth.
-StoredLight SolveIndirect(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
-                          const SurfaceRadiance& radiance, const LightingOptions& options) {
-  const IndirectLight wide(scene, tracer, options.wide_gather_directions);
-  const IndirectLight small(scene, tracer, options.small_gather_directions);
-  const std::vector<SurfaceSample>& samples = grid.samples();
-  StoredLight light{std::vector<Vec3f>(samples.size()), std::vector<Vec3f>(samples.size())};
-  ForSamples(samples.size(), options, {kDirectShare, 1}, [&](std::size_t i) {
-    const SurfaceSample& sample = samples[i];
-    const IndirectLight& indirect = sample.on_wide_triangle ? wide : small;
-    light.front[i] = indirect.Irradiance(sample.position, sample.normal, radiance);
-    light.back[i] = indirect.Irradiance(sample.position, -sample.normal, radiance);
-  });
-  return light;
+// What the rest of a geometric series is of its last term, whose ratio to the one before is given.
+float RestOfSeries(double term, double term_before) {
+  const double ratio = term_before > 0 ? std::clamp(term / term_before, 0.0, 0.9) : 0;
+  return float(ratio / (1 - ratio));
 }
+
+void Extrapolate(const Vec3f& factor, const StoredLight& before, StoredLight& now) {
+  for (const bool front : {true, false}) {
+    for (std::size_t i = 0; i < now.front.size(); ++i) {
+      Vec3f& e = now.side(front)[i];
+      e += factor * (e - before.side(front)[i]);
+      e = {std::max(e.x, 0.0f), std::max(e.y, 0.0f), std::max(e.z, 0.0f)};
+    }
+  }
+}
+
+StoredLight Sum(const StoredLight& a, const StoredLight& b) {
+  StoredLight sum = a;
+  for (std::size_t i = 0; i < a.front.size(); ++i) {
+    sum.front[i] += b.front[i];
+    sum.back[i] += b.back[i];
+  }
+  return sum;
+}
+
+class LightSolver {
+ public:
+  LightSolver(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
+              const LightingOptions& options)
+      : scene_(scene),
+        tracer_(tracer),
+        grid_(grid),
+        samples_(grid.samples()),
+        options_(options),
+        colors_(scene, grid, options.direct_spacing_m) {}
+
+  StoredLight Solve() {
+    StoredLight direct = SolveDirect();
+    const std::vector<float> widths(samples_.size(), options_.bounce_spacing_m);
+    const SampleClusters coarse = ClusterSamples(samples_, widths);
+    const StoredLight sent = colors_.Radiance(Sum(direct, SolveBounces(direct, coarse)));
+    StoredLight indirect(samples_.size());
+    for (const bool front : {true, false}) GatherSide(front, sent, coarse, direct, indirect);
+    return Sum(direct, indirect);
+  }
+
+ private:
+  StoredLight SolveDirect() const {
+    StoredLight light(samples_.size());
+    const DirectLight direct(scene_, tracer_, options_.light_points);
+    const EnvironmentLight background(scene_, tracer_, options_.environment_directions);
+    ForSamples(samples_.size(), options_, {0, kDirectDone}, [&](std::size_t i) {
+      for (const bool front : {true, false}) {
+        const Vec3f& position = samples_[i].position;
+        const Vec3f normal = front ? samples_[i].normal : -samples_[i].normal;
+        light.side(front)[i] =
+            direct.Irradiance(position, normal) + background.Irradiance(position, normal);
+      }
+    });
+    return light;
+  }
+
+  // Reflection after reflection, with few rays each, whose errors are of many samples and average
+  // out in the gathering that follows: E₀ = 0, E_{k+1} = gathered from direct + E_k. The rest of
+  // the series follows from the ratio of its last terms.
+  StoredLight SolveBounces(const StoredLight& direct, const SampleClusters& coarse) {
+    StoredLight indirect(samples_.size());
+    Vec3d last_gain;
+    const double step = (kBouncesDone - kDirectDone) / (2 * std::max(options_.bounces, 1));
+    double done = kDirectDone;
+    for (std::vector<double>& nearness : nearness_) nearness.assign(coarse.leaders.size(), 0);
+    for (int pass = 0; pass < options_.bounces; ++pass) {
+      const StoredLight before = std::move(indirect);
+      indirect = StoredLight(samples_.size());
+      const StoredLight sent = colors_.Radiance(Sum(direct, before));
+      for (const bool front : {true, false}) {
+        const std::vector<Gathered> gathered =
+            Gather(front, sent, coarse.leaders,
+                   {options_.bounce_directions, std::uint64_t(pass) + 1, {done, done + step}});
+        done += step;
+        for (std::size_t i = 0; i < gathered.size(); ++i) {
+          nearness_[front][i] += 1 / double(gathered[i].distance_m) / options_.bounces;
+        }
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+          indirect.side(front)[i] = gathered[coarse.leader_of[i]].irradiance;
+        }
+      }
+      const Vec3d gain = Total(indirect) - Total(before);
+      if (pass == kExtrapolateAfter) {
+        Extrapolate({RestOfSeries(gain.x, last_gain.x), RestOfSeries(gain.y, last_gain.y),
+                     RestOfSeries(gain.z, last_gain.z)},
+                    before, indirect);
+      }
+      last_gain = gain;
+    }
+    return indirect;
+  }
+
+  // The last gathering, fine where things are near, of one side of all surfaces.
+  void GatherSide(bool front, const StoredLight& sent, const SampleClusters& coarse,
+                  StoredLight& direct, StoredLight& indirect) {
+    std::vector<float> distance_m;
+    for (const double nearness : nearness_[front]) {
+      distance_m.push_back(nearness > 0 ? float(1 / nearness) : 1e30f);
+    }
+    const std::vector<float> widths = GatherWidths(
+        samples_, coarse, distance_m, options_.direct_spacing_m, options_.indirect_spacing_m);
+    const SampleClusters fine = ClusterSamples(samples_, widths);
+    const double middle = (1 + kBouncesDone) / 2;
+    const std::vector<Gathered> gathered =
+        Gather(front, sent, fine.leaders,
+               {options_.gather_directions, 0,
+                front ? ProgressRange{kBouncesDone, middle} : ProgressRange{middle, 1}});
+    indirect.side(front) = Interpolated(samples_, fine, widths, gathered);
+    std::vector<bool> buried;
+    for (const std::uint32_t leader : fine.leader_of) buried.push_back(gathered[leader].buried);
+    const float radius_m = kFillInSpacings * options_.direct_spacing_m;
+    FillBuried(samples_, buried, radius_m, direct.side(front));
+    FillBuried(samples_, buried, radius_m, indirect.side(front));
+  }
+
+  struct GatherPlan {
+    int directions;
+    std::uint64_t pass;
+    ProgressRange range;
+  };
+  std::vector<Gathered> Gather(bool front, const StoredLight& sent,
+                               const std::vector<std::uint32_t>& at, const GatherPlan& plan) const {
+    const IndirectLight light(scene_, tracer_, plan.directions, options_.seed * 64 + plan.pass);
+    const SurfaceRadiance radiance = [&](const TriangleHit& hit, const Vec3f&) {
+      return sent.At(grid_.Locate(hit.triangle, hit.u, hit.v), hit.front);
+    };
+    std::vector<Gathered> gathered(at.size());
+    ForSamples(at.size(), options_, plan.range, [&](std::size_t i) {
+      const SurfaceSample& sample = samples_[at[i]];
+      gathered[i] = light.Gather(sample.position, front ? sample.normal : -sample.normal,
+                                 2 * std::uint64_t(at[i]) + (front ? 0 : 1), radiance);
+    });
+    return gathered;
+  }
+
+  const Scene& scene_;
+  const RayTracer& tracer_;
+  const SurfaceGrid& grid_;
+  const std::vector<SurfaceSample>& samples_;
+  const LightingOptions& options_;
+  SurfaceColors colors_;
+  std::vector<double> nearness_[2];  // by side (front: 1) and coarse leader, in 1/m
+};
 
 }  // namespace
 
-std::vector<Vec3f> MeanAlbedos(const Scene& scene) {
-  std::vector<Vec3f> albedos;
-  for (const Material& material : scene.materials) {
-    Vec3f albedo = material.diffuse;
-    if (material.texture >= 0) {
-      const Texture& texture = scene.textures[std::size_t(material.texture)];
-      albedo = albedo * texture.Sample(0, 0, float(texture.level_count()));
-    }
-    albedos.push_back(albedo);
-  }
-  return albedos;
-}
-
 StoredLight SolveLight(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
                        const LightingOptions& options) {
-  StoredLight light = SolveDirect(scene, tracer, grid, options);
-  const std::vector<Vec3f> albedos = MeanAlbedos(scene);
-  const SurfaceRadiance radiance = [&](std::uint32_t triangle, float u, float v, bool front) {
-    const std::uint32_t material = scene.mesh.triangles[triangle].material;
-    if (!front && !scene.materials[material].two_sided) return Vec3f{};
-    const Vec3f irradiance = light.At(grid.Locate(triangle, u, v), front);
-    return albedos[material] * (std::numbers::inv_pi_v<float> * irradiance + scene.ambient);
-  };
-  const SurfaceGrid coarse(scene.mesh, options.indirect_spacing_m);
-  const StoredLight indirect = SolveIndirect(scene, tracer, coarse, radiance, options);
-  for (std::size_t i = 0; i < grid.samples().size(); ++i) {
-    const SurfaceGrid::Origin& origin = grid.origins()[i];
-    const SurfaceLookup at = coarse.Locate(origin.triangle, origin.u, origin.v);
-    light.front[i] += indirect.At(at, true);
-    light.back[i] += indirect.At(at, false);
-  }
-  return light;
+  return LightSolver(scene, tracer, grid, options).Solve();
 }
 
 }  // namespace silt::sim

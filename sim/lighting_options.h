@@ -14,16 +14,20 @@ enum class LightMode { kBaked, kPath };
 // How finely light is stored on the surfaces, and how carefully it is computed.
 struct LightingOptions {
   LightMode mode = LightMode::kBaked;
-  bool specular = false;   // surfaces reflect as their materials say (kBaked; kPath always does)
+  // Surfaces reflect as their materials say, on top of baked light, which is that of a matt world.
+  // Traced paths always see them so.
+  bool specular = false;
   std::uint64_t seed = 0;  // of the directions in which light is gathered
 
-  float direct_spacing_m = 0.025f;   // between samples of light that comes from lights
-  float indirect_spacing_m = 0.08f;  // and of light that comes from surfaces and the ambient
-  int light_points = 16;             // at which a light's visibility is tested
-  // Directions over the hemisphere for indirect light: on surfaces larger than its spacing, where
-  // the eye sees every step, and on small parts.
-  int wide_gather_directions = 256;
-  int small_gather_directions = 64;
+  float direct_spacing_m = 0.025f;   // between the samples at which light is stored
+  float indirect_spacing_m = 0.1f;   // at which indirect light is gathered in the open; finer, down
+                                     // to the samples themselves, the closer things are
+  float bounce_spacing_m = 0.1f;     // and for the reflections before the last
+  int light_points = 8;              // along a light's sides, at which its visibility is tested
+  int environment_directions = 256;  // drawn from the picture of an environment
+  int gather_directions = 256;       // over the hemisphere, for indirect light
+  int bounce_directions = 32;        // and for the reflections before the last
+  int bounces = 5;                   // of these, the rest being extrapolated
 
   // Keep the light of a large scene on disk, see light_cache.h.
   bool cache = true;

@@ -15,6 +15,7 @@ LitScene::LitScene(Scene scene, const LightingOptions& options)
   if (light_ != LightMode::kBaked) return;
   irradiance_.emplace(scene_, tracer_, options);
   shading_.emplace(scene_, *irradiance_);
+  if (options.specular) reflection_.emplace(scene_, tracer_, *irradiance_);
 }
 
 }  // namespace silt::sim

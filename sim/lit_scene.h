@@ -9,6 +9,7 @@
 #include "silt/sim/lighting_options.h"
 #include "silt/sim/path_tracer.h"
 #include "silt/sim/ray_tracer.h"
+#include "silt/sim/reflection.h"
 #include "silt/sim/scene.h"
 #include "silt/sim/shading.h"
 #include "silt/sim/surface_planes.h"
@@ -30,6 +31,8 @@ class LitScene {
   const Irradiance& irradiance() const { return *irradiance_; }
   const Shading& shading() const { return *shading_; }
   const PathTracer& path_tracer() const { return path_tracer_; }
+  // Null unless surfaces are to reflect on top of stored light.
+  const Reflection* reflection() const { return reflection_ ? &*reflection_ : nullptr; }
   const SurfacePlane& plane(std::uint32_t triangle) const { return planes_[triangle]; }
 
  private:
@@ -38,6 +41,7 @@ class LitScene {
   LightMode light_;
   PathTracer path_tracer_;
   std::optional<Irradiance> irradiance_;
+  std::optional<Reflection> reflection_;
   std::vector<SurfacePlane> planes_;
   std::optional<Shading> shading_;
 };

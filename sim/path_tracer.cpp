@@ -37,6 +37,10 @@ Vec3f DirectionOf(const RayPacket& rays, int lane) {
   return {rays.direction_x[lane], rays.direction_y[lane], rays.direction_z[lane]};
 }
 
+bool AnyValid(const RayPacket& rays) {
+  return std::any_of(std::begin(rays.valid), std::end(rays.valid), [](int v) { return v != 0; });
+}
+
 float Balance(float mine, float other) { return mine / (mine + other); }
 
 }  // namespace
@@ -47,7 +51,6 @@ struct PathTracer::Paths {
   // How the ray was drawn: from where, and how densely; 0: the only possible direction.
   Emitters::Receiver from[kPacketSize];
   float density[kPacketSize] = {};
-  bool skip_emitters = false;  // of the first vertices
   std::optional<Vertex> vertex[kPacketSize];
   RayPacket shadow_rays;
   Vec3f aimed[kPacketSize];  // radiance that arrives where a shadow ray is free
@@ -68,46 +71,53 @@ PathTracer::PathTracer(const Scene& scene, const RayTracer& tracer, PathOptions 
 
 void PathTracer::Trace(const RayPacket& rays, Samplers& samplers, Radiances& radiance) const {
   Paths paths(rays);
-  Run(paths, samplers);
+  Run(paths, samplers, 0);
   std::copy(std::begin(paths.radiance), std::end(paths.radiance), radiance);
 }
 
-void PathTracer::TraceIndirect(const RayPacket& rays, Samplers& samplers,
-                               Radiances& radiance) const {
+void PathTracer::TraceReflection(const TriangleHit& hit, const Vec3f& direction, Samplers& samplers,
+                                 Radiances& radiance) const {
+  const SurfacePoint point = MakeSurfacePoint(scene_, hit, true);
+  RayPacket rays;
+  for (int i = 0; i < kPacketSize; ++i) rays.Set(i, {point.origin, direction});
   Paths paths(rays);
-  paths.skip_emitters = true;
-  Run(paths, samplers);
+  for (auto& vertex : paths.vertex) {
+    vertex = Vertex{point, point.bsdf.Reflection(), Local(point.shading, -direction)};
+  }
+  Scatter(paths, samplers, 0);
+  Run(paths, samplers, 1);
   std::copy(std::begin(paths.radiance), std::end(paths.radiance), radiance);
 }
 
-void PathTracer::Run(Paths& paths, Samplers& samplers) const {
-  const auto any_valid = [](const RayPacket& rays) {
-    return std::any_of(std::begin(rays.valid), std::end(rays.valid), [](int v) { return v != 0; });
-  };
-  for (int bounce = 0; bounce <= options_.most_bounces && any_valid(paths.rays); ++bounce) {
+void PathTracer::Run(Paths& paths, Samplers& samplers, int bounce) const {
+  for (; bounce <= options_.most_bounces && AnyValid(paths.rays); ++bounce) {
     HitPacket hits;
     tracer_.Trace(paths.rays, hits);
-    std::fill(std::begin(paths.shadow_rays.valid), std::end(paths.shadow_rays.valid), 0);
     for (int i = 0; i < kPacketSize; ++i) {
       if (!paths.rays.valid[i]) continue;
       paths.vertex[i].reset();
       if (hits.triangle[i] == kNoTriangle) {
         Leave(paths, i);
       } else {
-        Meet(paths, hits, i, bounce);
+        Meet(paths, hits, i);
       }
-      if (!paths.vertex[i] || bounce == options_.most_bounces) {
-        paths.rays.valid[i] = 0;
-        continue;
-      }
-      Aim(paths, samplers[i], i);
+      if (!paths.vertex[i]) paths.rays.valid[i] = 0;
     }
-    const std::uint32_t occluded =
-        any_valid(paths.shadow_rays) ? tracer_.Occluded(paths.shadow_rays) : 0;
-    for (int i = 0; i < kPacketSize; ++i) {
-      if (paths.shadow_rays.valid[i] && !(occluded >> i & 1)) paths.radiance[i] += paths.aimed[i];
-      if (paths.rays.valid[i]) Reflect(paths, samplers[i], i, bounce);
-    }
+    if (bounce < options_.most_bounces) Scatter(paths, samplers, bounce);
+  }
+}
+
+// At every vertex: the light that is aimed at, and the path's next ray.
+void PathTracer::Scatter(Paths& paths, Samplers& samplers, int bounce) const {
+  std::fill(std::begin(paths.shadow_rays.valid), std::end(paths.shadow_rays.valid), 0);
+  for (int i = 0; i < kPacketSize; ++i) {
+    if (paths.rays.valid[i]) Aim(paths, samplers[i], i);
+  }
+  const std::uint32_t occluded =
+      AnyValid(paths.shadow_rays) ? tracer_.Occluded(paths.shadow_rays) : 0;
+  for (int i = 0; i < kPacketSize; ++i) {
+    if (paths.shadow_rays.valid[i] && !(occluded >> i & 1)) paths.radiance[i] += paths.aimed[i];
+    if (paths.rays.valid[i]) Reflect(paths, samplers[i], i, bounce);
   }
 }
 
@@ -124,12 +134,12 @@ void PathTracer::Leave(Paths& paths, int lane) const {
 }
 
 // Adds what the surface itself sends, and makes it the path's vertex where there is more to come.
-void PathTracer::Meet(Paths& paths, const HitPacket& hits, int lane, int bounce) const {
+void PathTracer::Meet(Paths& paths, const HitPacket& hits, int lane) const {
   const TriangleHit hit{hits.triangle[lane], hits.u[lane], hits.v[lane], hits.cosine[lane] < 0};
   const SurfacePoint point = MakeSurfacePoint(scene_, hit, options_.reflection);
   if (point.black) return;
-  float share = bounce == 0 && paths.skip_emitters ? 0 : 1;
-  if (share > 0 && paths.density[lane] > 0) {
+  float share = 1;
+  if (paths.density[lane] > 0) {
     const float aimed =
         emitters_.Density(paths.from[lane], {hit.triangle, hits.distance[lane], hits.cosine[lane]});
     if (options_.strategy == LightStrategy::kBoth) share = Balance(paths.density[lane], aimed);

@@ -39,17 +39,19 @@ class PathTracer {
   // One path for each valid ray: what arrives at its origin, from surfaces and background.
   void Trace(const RayPacket& rays, Samplers& samplers, Radiances& radiance) const;
 
-  // The same for rays that were drawn with density cos θ / π about a matt surface whose direct
-  // light from emitters is known: the light of emitters that the rays themselves meet is left out.
-  void TraceIndirect(const RayPacket& rays, Samplers& samplers, Radiances& radiance) const;
+  // What the surface at `hit` reflects as coat, metal or mirror, its matt ground left out, against
+  // a ray of that (unit) direction: one path for each sampler.
+  void TraceReflection(const TriangleHit& hit, const Vec3f& direction, Samplers& samplers,
+                       Radiances& radiance) const;
 
   const PathOptions& options() const { return options_; }
 
  private:
   struct Paths;
 
-  void Run(Paths& paths, Samplers& samplers) const;
-  void Meet(Paths& paths, const HitPacket& hits, int lane, int bounce) const;
+  void Run(Paths& paths, Samplers& samplers, int bounce) const;
+  void Scatter(Paths& paths, Samplers& samplers, int bounce) const;
+  void Meet(Paths& paths, const HitPacket& hits, int lane) const;
   void Leave(Paths& paths, int lane) const;
   void Aim(Paths& paths, PathSampler& sampler, int lane) const;
   void Reflect(Paths& paths, PathSampler& sampler, int lane, int bounce) const;

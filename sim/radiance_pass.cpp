@@ -13,6 +13,15 @@ struct alignas(64) PacketSum {
   Float4 lane[kPacketSize] = {};
 };
 
+Float4 WithReflection(const LitScene& lit, const Float4& matt, const RayPacket& rays,
+                      const HitPacket& hits, int i) {
+  const Reflection* reflection = lit.reflection();
+  if (!reflection || !reflection->Reflects(hits.triangle[i])) return matt;
+  return Float4From(
+      reflection->Over(Vec3From(matt), {hits.triangle[i], hits.u[i], hits.v[i], hits.cosine[i] < 0},
+                       {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}));
+}
+
 void AddPacket(const LitScene& lit, const RayPacket& rays, float cone_width, PacketSum& sum) {
   HitPacket hits;
   lit.tracer().TraceCoherent(rays, hits);
@@ -38,7 +47,10 @@ void AddPacket(const LitScene& lit, const RayPacket& rays, float cone_width, Pac
                   {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}},
                  places[j]);
   }
-  for (int j = 0; j < count; ++j) sum.lane[lane[j]] += places[j].Read();
+  for (int j = 0; j < count; ++j) {
+    const int i = lane[j];
+    sum.lane[i] += WithReflection(lit, places[j].Read(), rays, hits, i);
+  }
 }
 
 // All samples of a tile, one after the other, so that neighbours find their surfaces in the cache.

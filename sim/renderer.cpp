@@ -23,6 +23,7 @@ void RenderOptions::Validate() const {
           "samples per pixel must be 1 to 65536");
   require(shutter.exposure_s >= 0 && std::isfinite(shutter.exposure_s),
           "the exposure must be 0 s or more");
+  require(exposure.value > 0 && std::isfinite(exposure.value), "the exposure must be above 0");
   require(shutter.row_time_s >= 0 && std::isfinite(shutter.row_time_s),
           "the row time must be 0 s or more");
   require(shutter.time_samples >= 1 && shutter.time_samples <= 4096,
@@ -82,7 +83,10 @@ GeometryBuffers Renderer::RenderGeometry(const PoseAtTime& world_from_camera, do
 }
 
 Image<Rgb8> Renderer::Develop(Image<Vec3f> radiance, const NoiseKey& key) const {
-  return sensor_.Develop(std::move(radiance), lit_->scene().exposure, key);
+  double exposure = lit_->scene().exposure;
+  if (options_.exposure.kind == Exposure::Kind::kGiven) exposure = options_.exposure.value;
+  if (options_.exposure.kind == Exposure::Kind::kPerFrame) exposure = MeteredExposure({radiance});
+  return sensor_.Develop(std::move(radiance), exposure, key);
 }
 
 Image<float> Renderer::MeasureDepth(const GeometryBuffers& truth, const NoiseKey& key) const {

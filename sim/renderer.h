@@ -10,6 +10,7 @@
 #include "silt/core/lens.h"
 #include "silt/core/se3.h"
 #include "silt/sim/depth_sensor.h"
+#include "silt/sim/exposure.h"
 #include "silt/sim/exposure_rays.h"
 #include "silt/sim/geometry_buffers.h"
 #include "silt/sim/lens_map.h"
@@ -24,6 +25,7 @@ struct RenderOptions {
   PixelFilter filter = PixelFilter::kBox;
   PixelPattern pattern = PixelPattern::kShared;
   Shutter shutter = {};
+  Exposure exposure = {};
   SensorOptions sensor = {};             // of the colours
   DepthSensorOptions depth_sensor = {};  // perfect
   std::uint64_t seed = 0;                // of the noise of both and of scrambled patterns
@@ -54,7 +56,7 @@ class Renderer {
   Image<Vec3f> RenderSharp(const PoseAtTime& world_from_camera, double time_s,
                            int frame_index = 0) const;
 
-  // What the sensor makes of radiance, at the scene's exposure.
+  // What the sensor makes of radiance.
   Image<Rgb8> Develop(Image<Vec3f> radiance, const NoiseKey& key) const;
 
   // What the depth sensor measures of geometry that was rendered, in metres.

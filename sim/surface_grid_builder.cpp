@@ -12,6 +12,7 @@ namespace {
 constexpr float kPullM = 1e-3f;
 constexpr float kMostIntervals = 1024;  // of a side, so that wide open ground stays finite
 constexpr int kRowsOfWide = 3;
+constexpr float kSliver = 4;  // spacings
 
 Vec3f SafelyNormalized(const Vec3f& v, const Vec3f& otherwise) {
   const float norm = Norm(v);
@@ -61,7 +62,12 @@ void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners)
     if (length > base) base = length, apex = i;
   }
   const float height = Norm(Cross(p[1] - p[0], p[2] - p[0])) / base;
-  const int count = Intervals(height, spacing_m_), columns = Intervals(base, spacing_m_);
+  // Lookups go along lines through the apex: on a sliver, almost along its edges. There rows and
+  // columns both run lengthwise, and both may be coarse.
+  const float side = std::max(Norm(p[apex] - p[(apex + 1) % 3]), Norm(p[apex] - p[(apex + 2) % 3]));
+  const bool sliver = height < spacing_m_;
+  const int count = std::max(Intervals(height, spacing_m_), Intervals(side, kSliver * spacing_m_));
+  const int columns = Intervals(base, sliver ? kSliver * spacing_m_ : spacing_m_);
 
   grid_.triangles_[triangle].grid = std::uint32_t(grid_.grids_.size());
   grid_.grids_.push_back(
@@ -77,7 +83,7 @@ void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners)
       weight[(apex + 1) % 3] = (1 - up) * (1 - along);
       weight[(apex + 2) % 3] = (1 - up) * along;
       const std::uint32_t sample = Sample(triangle, corners, {weight[0], weight[1], weight[2]});
-      if (count >= kRowsOfWide) grid_.samples_[sample].on_wide_triangle = true;
+      if (height >= kRowsOfWide * spacing_m_) grid_.samples_[sample].on_wide_triangle = true;
       grid_.row_samples_.push_back(sample);
     }
   }

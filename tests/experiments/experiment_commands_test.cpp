@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -48,6 +49,23 @@ TEST(InitializationCommand, WritesACasePerConditionKeyframeGapAndMethod) {
   EXPECT_EQ(json["summary"][0]["condition"], "sharp");
   EXPECT_EQ(json["summary"][17]["condition"], "blurred");
   EXPECT_THAT(ReadText(folder / "initialization/summary.csv"), HasSubstr("noisy,5,sparse,1,"));
+}
+
+TEST(LightCommand, ComparesBakedWithTracedLight) {
+  const TestFolder folder;
+  const auto json = ResultsOf(folder, "light", "--quick");
+  ASSERT_EQ(json["differences"].size(), 3u);
+  const auto& all = json["differences"][2];
+  EXPECT_EQ(all["view"], "all");
+  EXPECT_LT(std::abs(all["bias"].get<double>()), 1.5);
+  EXPECT_LT(all["rms_without_noise"].get<double>(), 3);
+  EXPECT_GT(all["reference_noise"].get<double>(), 0);
+  EXPECT_GT(json["rms_of_two_bakes"].get<double>(), 0);
+  EXPECT_LT(json["rms_of_two_bakes"].get<double>(), 0.5);
+  EXPECT_THAT(ReadText(folder / "light/differences.csv"), HasSubstr("orbit_1,"));
+  for (const char* kind : {"baked", "traced", "difference"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / ("light/orbit_0_" + std::string(kind) + ".png")));
+  }
 }
 
 TEST(TimingCommand, WritesStagesAndLeavesNoFramesBehind) {

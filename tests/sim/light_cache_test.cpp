@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <set>
+#include <thread>
 
 #include "scene_builder.h"
 #include "silt/core/error.h"
@@ -81,6 +83,30 @@ TEST_F(LightCache, AFileThatIsNotRightIsNotRead) {
   EXPECT_TRUE(ReadLight(file, 2));
 }
 
+// Whoever reads finds one writer's whole light, never a mixture or a part.
+TEST_F(LightCache, WritersAndReadersDoNotMeet) {
+  const fs::path file = folder_ / "light-shared";
+  const auto light_of = [](int writer) {
+    return StoredLight(std::vector<Vec3f>(20'000, {float(writer), 0, 0}),
+                       std::vector<Vec3f>(20'000, {0, float(writer), 0}));
+  };
+  WriteLight(file, light_of(0));
+  std::atomic<bool> stop{false};
+  std::vector<std::thread> writers;
+  for (int writer = 1; writer <= 3; ++writer) {
+    writers.emplace_back([&, writer] {
+      while (!stop) WriteLight(file, light_of(writer));
+    });
+  }
+  for (int i = 0; i < 50; ++i) {
+    const std::optional<StoredLight> light = ReadLight(file, 20'000);
+    EXPECT_TRUE(light && light->front.front().x == light->back.back().y);
+  }
+  stop = true;
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);  // nothing is left over
+}
+
 TEST_F(LightCache, TheNameFollowsAllThatLightDependsOn) {
   std::set<fs::path> names;
   const auto add = [&](const Scene& scene, const LightingOptions& options = {}) {
@@ -98,16 +124,19 @@ TEST_F(LightCache, TheNameFollowsAllThatLightDependsOn) {
   sky.ambient.x += 1e-3f;
   turned.materials[0].two_sided = false;
   for (const Scene& other : {moved, tinted, lamp, sky, turned, out}) add(other);
-  LightingOptions finer, more_points, more_directions;
+  LightingOptions finer, more_points, more_directions, other_seed;
   finer.direct_spacing_m /= 2;
   more_points.light_points *= 2;
-  more_directions.wide_gather_directions *= 2;
-  for (const LightingOptions& other : {finer, more_points, more_directions}) add(scene, other);
-  EXPECT_EQ(names.size(), 10u);
+  more_directions.gather_directions *= 2;
+  other_seed.seed = 1;
+  for (const LightingOptions& other : {finer, more_points, more_directions, other_seed}) {
+    add(scene, other);
+  }
+  EXPECT_EQ(names.size(), 11u);
   Scene exposed = scene;
   exposed.exposure *= 2;  // does not change the light
   add(exposed);
-  EXPECT_EQ(names.size(), 10u);
+  EXPECT_EQ(names.size(), 11u);
 }
 
 TEST_F(LightCache, KeepsTheEntriesWrittenLast) {

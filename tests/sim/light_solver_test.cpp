@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "scene_builder.h"
@@ -11,11 +12,20 @@
 #include "silt/core/random.h"
 #include "silt/sim/form_factor.h"
 #include "silt/sim/irradiance.h"
+#include "silt/sim/path_tracer.h"
 
 namespace silt::sim {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
+
+// Enough for a room of plain walls.
+LightingOptions Coarser() {
+  LightingOptions options;
+  options.direct_spacing_m = 0.05f;
+  options.indirect_spacing_m = 0.2f;
+  return options;
+}
 
 Scene LampOverFloor(const Vec3f& ambient) {
   SceneBuilder builder;
@@ -57,22 +67,86 @@ TEST(LightSolver, AmbientReachesBothSidesOfAnOpenFloor) {
   }
 }
 
-// Deep between two large parallel plates, the lower lit by nothing but the upper's reflection:
-// E = π·albedo·ambient, since the ambient stands for what the upper one receives.
-TEST(LightSolver, OneReflectionCarriesTheAlbedo) {
+// A closed box of albedo ρ whose every side sends M by itself: all reflections together give
+// E = π M / (1 − ρ), everywhere within.
+TEST(LightSolver, AFurnaceGathersAllReflections) {
   SceneBuilder builder;
-  const int gray = builder.AddMaterial(Vec3f{0.6f, 0.3f, 0});
-  builder.AddQuad({-9, -9, 0}, {18, 0, 0}, {0, 18, 0}, gray);
-  builder.AddQuad({-9, -9, 0.1f}, {0, 18, 0}, {18, 0, 0}, gray);
-  builder.scene.ambient = {1, 1, 1};
-  LightingOptions options;
-  options.direct_spacing_m = options.indirect_spacing_m = 0.5f;
+  builder.AddBox({-1, -1, -1}, {1, 1, 1},
+                 builder.AddMaterial(Vec3f{0.7f, 0.5f, 0}, Vec3f{1, 2, 3}));
+  builder.scene.ambient = {100, 100, 100};  // outside
   const RayTracer tracer(builder.scene);
-  const Irradiance irradiance(builder.scene, tracer, options);
-  const Vec3f e = irradiance.At(0, 0, 0.5f, true);  // the middle
-  EXPECT_NEAR(e.x, 0.6f * kPi, 0.02f);
-  EXPECT_NEAR(e.y, 0.3f * kPi, 0.02f);
-  EXPECT_NEAR(e.z, 0, 0.02f);
+  const Irradiance irradiance(builder.scene, tracer, Coarser());
+  for (const std::uint32_t triangle : {0u, 3u, 7u, 11u}) {
+    const Vec3f e = irradiance.At(triangle, 0.4f, 0.2f, false);
+    EXPECT_NEAR(e.x / (kPi / 0.3f), 1, 0.01);
+    EXPECT_NEAR(e.y / (2 * kPi / 0.5f), 1, 0.01);
+    EXPECT_NEAR(e.z / (3 * kPi), 1, 0.005);
+  }
+}
+
+// The baked light of a room is that of the path tracer: a mirrorless room, points all over it.
+TEST(LightSolver, AgreesWithThePathTracer) {
+  const Scene scene = RoomWithBoxAndBall();
+  const RayTracer tracer(scene);
+  const Irradiance irradiance(scene, tracer, Coarser());
+  const PathTracer paths(scene, tracer);
+  const std::vector<Vec3f> rays{{0, 1, -0.4f},   {0.5f, 1, -0.3f}, {-0.9f, 1, -0.3f},
+                                {0.3f, 1, 0.2f}, {0.9f, 1, 0.4f},  {-0.3f, 1, -0.45f}};
+  for (const Vec3f& direction : rays) {
+    RayPacket packet;
+    for (int i = 0; i < kPacketSize; ++i) packet.Set(i, {{0, -1.9f, 1.2f}, direction});
+    HitPacket hits;
+    tracer.Trace(packet, hits);
+    const Vec3f albedo = scene.materials[scene.mesh.triangles[hits.triangle[0]].material].diffuse;
+    const Vec3f e = irradiance.At(hits.triangle[0], hits.u[0], hits.v[0], hits.cosine[0] < 0);
+    Vec3f sum;
+    constexpr int packets = 128;
+    for (int k = 0; k < packets; ++k) {
+      PathSampler samplers[kPacketSize];
+      for (int i = 0; i < kPacketSize; ++i) {
+        samplers[i] = PathSampler(1, std::uint32_t(k * kPacketSize + i));
+      }
+      Vec3f radiance[kPacketSize];
+      paths.Trace(packet, samplers, radiance);
+      for (const Vec3f& r : radiance) sum += (1.0f / (packets * kPacketSize)) * r;
+    }
+    EXPECT_NEAR(albedo.x * e.x / kPi / sum.x, 1, 0.03) << direction.x << ' ' << direction.z;
+  }
+}
+
+// The floor under a box that stands on it is dark, but no shadow of it leaks out.
+TEST(LightSolver, WhatIsBuriedDarkensNothingThatIsSeen) {
+  SceneBuilder builder;
+  const int white = builder.AddMaterial(Vec3f{0, 0, 0});
+  builder.AddQuad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, white);
+  builder.scene.ambient = {1, 1, 1};
+  const Scene open = builder.scene;
+  builder.AddBox({-0.41f, -0.41f, 0}, {0.41f, 0.41f, 0.002f}, white);  // flat: casts no shadow
+  const auto at = [](const Scene& scene, float x) {
+    const RayTracer tracer(scene);
+    return Irradiance(scene, tracer, {}).At(0, (1 + x) / 2 - 0.5f, 0.5f, true).x;
+  };
+  EXPECT_NEAR(at(builder.scene, 0.42f), at(open, 0.42f), 0.03f);
+}
+
+TEST(LightSolver, SeedsDifferByLittle) {
+  const Scene scene = RoomWithBoxAndBall();
+  const RayTracer tracer(scene);
+  LightingOptions other = Coarser();
+  other.seed = 1;
+  const Irradiance a(scene, tracer, Coarser()), b(scene, tracer, other);
+  double sum = 0, squares = 0;
+  const CounterRandom random(3);
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    const auto triangle =
+        std::uint32_t(random.Uniform(3 * i) * double(scene.mesh.triangles.size() - 2));
+    const auto u = float(random.Uniform(3 * i + 1) / 2), v = float(random.Uniform(3 * i + 2) / 2);
+    const float first = a.At(triangle, u, v, true).y, second = b.At(triangle, u, v, true).y;
+    sum += first / 2000;
+    squares += double(first - second) * (first - second) / 2000;
+  }
+  EXPECT_GT(squares, 0);
+  EXPECT_LT(std::sqrt(squares), 0.015 * sum);
 }
 
 TEST(LightSolver, DoesNotDependOnTheNumberOfThreads) {
@@ -102,20 +176,6 @@ TEST(LightSolver, ReportsProgressUpToTheEnd) {
   };
   SolveLight(scene, tracer, SurfaceGrid(scene.mesh, 0.1f), options);
   EXPECT_DOUBLE_EQ(last, 1);
-}
-
-TEST(LightSolver, MeanAlbedoIsTheLinearMeanOfTheTexture) {
-  SceneBuilder builder;
-  Image<Rgba8> checkers(2, 2, {255, 255, 255, 255});
-  checkers(0, 0) = checkers(1, 1) = {0, 0, 0, 255};
-  builder.scene.textures.emplace_back(checkers);
-  Material material;
-  material.diffuse = {1, 0.5f, 0};
-  material.texture = 0;
-  builder.AddMaterial(material);
-  const Vec3f albedo = MeanAlbedos(builder.scene)[0];
-  EXPECT_NEAR(albedo.x, 0.5f, 3e-3f);  // mip levels are kept in 8 bits
-  EXPECT_NEAR(albedo.y, 0.25f, 3e-3f);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr PinholeCamera kCamera{120.3, 120, 79.5, 59.5, 160, 120};
 LightingOptions NoLight() {
   LightingOptions options;
   options.direct_spacing_m = options.indirect_spacing_m = 10;
-  options.wide_gather_directions = options.small_gather_directions = 16;
+  options.gather_directions = options.bounce_directions = 16;
   return options;
 }
 

@@ -18,7 +18,7 @@ constexpr PinholeCamera kCamera{120.3, 120, 74.5, 54.5, 150, 110};
 LightingOptions NoLight() {
   LightingOptions options;
   options.direct_spacing_m = options.indirect_spacing_m = 10;
-  options.wide_gather_directions = options.small_gather_directions = 16;
+  options.gather_directions = options.bounce_directions = 16;
   return options;
 }
 

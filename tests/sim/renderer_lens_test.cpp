@@ -19,7 +19,7 @@ constexpr LensDistortion kLens{-0.28, 0.09, 0.003, -0.002, -0.01};
 LightingOptions NoLight() {
   LightingOptions options;
   options.direct_spacing_m = options.indirect_spacing_m = 10;
-  options.wide_gather_directions = options.small_gather_directions = 16;
+  options.gather_directions = options.bounce_directions = 16;
   return options;
 }
 

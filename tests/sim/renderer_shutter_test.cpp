@@ -19,7 +19,7 @@ constexpr double kSpeed_m_s = 2;
 LightingOptions NoLight() {
   LightingOptions options;
   options.direct_spacing_m = options.indirect_spacing_m = 10;
-  options.wide_gather_directions = options.small_gather_directions = 16;
+  options.gather_directions = options.bounce_directions = 16;
   return options;
 }
 

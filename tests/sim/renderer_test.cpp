@@ -196,5 +196,77 @@ TEST(Renderer, RefusesOptionsThatMakeNoPicture) {
   EXPECT_THROW(Renderer(Room(), {.camera = kCamera, .shutter = {.time_samples = 0}}), Error);
 }
 
+// Paths and stored light show the same room: mean radiance to 2 %.
+TEST(Renderer, PathsShowWhatBakedLightShows) {
+  const RenderOptions options{.camera = {30, 30, 19.5, 14.5, 40, 30}, .samples_per_pixel = 64};
+  LightingOptions traced;
+  traced.mode = LightMode::kPath;
+  const Image<Vec3f> baked =
+      Renderer(RoomWithBoxAndBall(), options).RenderLinear(Still(kRoomPose), 0);
+  const Image<Vec3f> paths =
+      Renderer(RoomWithBoxAndBall(), options, traced).RenderLinear(Still(kRoomPose), 0);
+  double a = 0, b = 0;
+  for (std::size_t i = 0; i < baked.size(); ++i) {
+    a += baked.data()[i].y;
+    b += paths.data()[i].y;
+  }
+  EXPECT_NEAR(a / b, 1, 0.02);
+}
+
+// A mirror shows what stands before it, on top of baked light and only where it is asked to.
+TEST(Renderer, ReflectionIsAnOption) {
+  SceneBuilder builder;
+  Material mirror;
+  mirror.diffuse = {0.5f, 0.5f, 0.5f};
+  mirror.mirror = true;
+  builder.AddQuad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, builder.AddMaterial(mirror));
+  builder.AddQuad({-9, 2, 0}, {18, 0, 0}, {0, 0, 9}, builder.AddMaterial(Vec3f{}, {0, 3, 0}));
+  builder.scene.ambient = {1, 0, 0};
+  LightingOptions shiny = Coarse();
+  shiny.specular = true;
+  const RenderOptions options{.camera = {300, 300, 3.5, 3.5, 8, 8}};
+  const PoseAtTime pose =
+      Still(LookAt({0, -1, 1}, {0, 0.5, 0}));  // the reflected ray meets the wall
+  const Vec3f matt = Renderer(builder.scene, options, Coarse()).RenderLinear(pose, 0)(4, 4);
+  const Vec3f seen = Renderer(builder.scene, options, shiny).RenderLinear(pose, 0)(4, 4);
+  EXPECT_GT(matt.x, 0.1f);
+  EXPECT_NEAR(seen.x, 0, 1e-4f);
+  EXPECT_NEAR(seen.y, 1.5f, 1e-3f);
+}
+
+// A varnished ground: what baked light and reflection show is what paths find.
+TEST(Renderer, VarnishOnBakedLightIsThatOfPaths) {
+  Scene scene = RoomWithBoxAndBall();
+  for (Material& material : scene.materials) {
+    if (Norm(material.emission) == 0) material.specular = 0.04f, material.roughness = 0.4f;
+  }
+  const RenderOptions options{.camera = {30, 30, 19.5, 14.5, 40, 30}, .samples_per_pixel = 64};
+  LightingOptions traced, shiny = Coarse();
+  traced.mode = LightMode::kPath;
+  shiny.specular = true;
+  const Image<Vec3f> baked = Renderer(scene, options, shiny).RenderLinear(Still(kRoomPose), 0);
+  const Image<Vec3f> paths = Renderer(scene, options, traced).RenderLinear(Still(kRoomPose), 0);
+  double a = 0, b = 0;
+  for (std::size_t i = 0; i < baked.size(); ++i) {
+    a += baked.data()[i].y;
+    b += paths.data()[i].y;
+  }
+  EXPECT_NEAR(a / b, 1, 0.06);
+}
+
+TEST(Renderer, ExposureIsTheScenesOrGivenOrMetered) {
+  Scene scene;
+  scene.ambient = {0.36f, 0.36f, 0.36f};
+  scene.exposure = 2;
+  const auto gray = [&](const Exposure& exposure) {
+    const RenderOptions options{.camera = kCamera, .exposure = exposure};
+    return int(Renderer(scene, options).Render(Still({}), 0, 0).rgb(5, 5).g);
+  };
+  const auto encoded = [](float linear) { return int(std::lround(255 * SrgbFromLinear(linear))); };
+  EXPECT_EQ(gray({}), encoded(0.72f));
+  EXPECT_EQ(gray({Exposure::Kind::kGiven, 1}), encoded(0.36f));
+  EXPECT_EQ(gray({Exposure::Kind::kPerFrame}), encoded(0.18f));
+}
+
 }  // namespace
 }  // namespace silt::sim
