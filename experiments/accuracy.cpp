@@ -87,6 +87,7 @@ RenderPlan PlanFor(const AccuracyOptions& options, bool blurred) {
   plan.options.camera = IclNuimCameraOfWidth(options.width);
   plan.options.samples_per_pixel = options.samples_per_pixel;
   plan.options.seed = options.seed;
+  plan.options.depth_sensor.model = options.depth_sensor;
   plan.stretch = {60, options.start_s, options.duration_s};
   if (blurred) {
     for (int k = 0; k < options.seeds; ++k) {
@@ -99,17 +100,12 @@ RenderPlan PlanFor(const AccuracyOptions& options, bool blurred) {
 }  // namespace
 
 Json AccuracyOptions::ToJson() const {
-  return {{"scene", scene},
-          {"trajectory", trajectory},
-          {"start_s", start_s},
-          {"duration_s", duration_s},
-          {"width", width},
-          {"samples_per_pixel", samples_per_pixel},
-          {"seed", seed},
-          {"seeds", seeds},
-          {"presets", presets},
-          {"backend", backend},
-          {"initializer", initializer}};
+  return {{"scene", scene},     {"trajectory", trajectory},
+          {"start_s", start_s}, {"duration_s", duration_s},
+          {"width", width},     {"samples_per_pixel", samples_per_pixel},
+          {"seed", seed},       {"seeds", seeds},
+          {"presets", presets}, {"depth_sensor", depth_sensor},
+          {"backend", backend}, {"initializer", initializer}};
 }
 
 std::string AccuracyRun::Name() const {

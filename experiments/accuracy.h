@@ -23,6 +23,7 @@ struct AccuracyOptions {
   std::uint64_t seed = 0;
   std::vector<std::string> presets = {"paper"};
   std::string backend = "cpu", initializer = "sparse";
+  std::string depth_sensor = "perfect";  // a model of sim/depth_sensor.h
 
   Json ToJson() const;
 };

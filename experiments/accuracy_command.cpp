@@ -15,6 +15,7 @@
 #include "silt/experiments/option_checks.h"
 #include "silt/experiments/output.h"
 #include "silt/experiments/output_folder.h"
+#include "silt/sim/depth_sensor.h"
 
 namespace silt::experiments {
 namespace {
@@ -94,13 +95,20 @@ void AddOptions(CLI::App& command, Options& o) {
                  1, 4096);
   RequireInteger(command.add_option("--width", o.accuracy.width, "Width of the image"), 64, 8192);
   command
-      .add_option("--preset", o.accuracy.presets,
-                  "Trackers to compare: paper, paper-all-pixels, accurate, fast")
+      .add_option(
+          "--preset", o.accuracy.presets,
+          "Trackers to compare: paper, paper-all-pixels, accurate, fast; with options changed: "
+          "accurate:joint=1")
       ->capture_default_str();
   command
       .add_option("--backend", o.accuracy.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512 or cuda")
       ->capture_default_str();
   command.add_option("--init", o.accuracy.initializer, "sparse or previous")->capture_default_str();
+  command
+      .add_option("--depth-sensor", o.accuracy.depth_sensor,
+                  "Depth: perfect, png16, kinect, kinect-legacy, khoshelham or nguyen")
+      ->check(CLI::IsMember(sim::DepthSensorModels()))
+      ->capture_default_str();
   RequireInteger(command.add_option("--threads", o.threads, "Threads; 0: one per processor")
                      ->capture_default_str(),
                  0, 1024);

@@ -29,6 +29,7 @@ void AddPathCommand(CLI::App& program, const Invocation& invocation);
 void AddInfoCommand(CLI::App& program, const Invocation& invocation);
 
 // Subcommands of `experiment`.
+void AddAblationExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddAccuracyExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddConvergenceExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddInitializationExperiment(CLI::App& experiments, const Invocation& invocation);

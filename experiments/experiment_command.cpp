@@ -10,6 +10,7 @@ void AddExperimentCommand(CLI::App& program, const Invocation& invocation) {
   CLI::App* command =
       program.add_subcommand("experiment", "Repeat an experiment of the paper and report on it");
   command->require_subcommand(1);
+  AddAblationExperiment(*command, invocation);
   AddAccuracyExperiment(*command, invocation);
   AddConvergenceExperiment(*command, invocation);
   AddInitializationExperiment(*command, invocation);

@@ -23,6 +23,7 @@
 #include "silt/experiments/output.h"
 #include "silt/experiments/output_folder.h"
 #include "silt/experiments/progress.h"
+#include "silt/experiments/tracker_options.h"
 #include "silt/experiments/tracker_setup.h"
 
 namespace silt::experiments {

@@ -19,7 +19,8 @@
 namespace silt::experiments {
 namespace {
 
-const std::vector<std::string> kTruths{"depth", "normals", "ids", "flow", "imu", "poses", "all"};
+const std::vector<std::string> kTruths{"sharp", "depth", "normals", "ids",
+                                       "flow",  "imu",   "poses",   "all"};
 
 struct Options {
   SimulationOptions simulation;
@@ -35,6 +36,7 @@ TruthSelection SelectionOf(const Options& options) {
     return std::any_of(options.truth.begin(), options.truth.end(), named);
   };
   TruthSelection selection = options.request.truth;
+  selection.sharp = asked("sharp");
   selection.depth = asked("depth");
   selection.normals = asked("normals");
   selection.ids = asked("ids");
@@ -76,7 +78,7 @@ void AddOutputOptions(CLI::App& command, RenderRequest& request) {
 void AddTruthOptions(CLI::App& command, Options& options) {
   const auto group = [](CLI::Option* option) { return option->group("Ground truth"); };
   group(command.add_option("--truth", options.truth,
-                           "What goes into truth/: a list such as depth,flow, or all"))
+                           "What goes into truth/: a list such as sharp,depth,flow, or all"))
       ->delimiter(',')
       ->check(CLI::IsMember(kTruths));
   RequireNumber(group(command.add_option("--imu-rate", options.request.imu.rate_hz,
@@ -104,6 +106,7 @@ const char* const kFooter =
     "  raw         frames/000000.raw: header, RGB, float depth and pose in one file, for\n"
     "              machines without image libraries\n"
     "Ground truth (--truth) is that of the pixels' centres at mid-exposure, free of noise:\n"
+    "  sharp       PNG, without blur and noise, beside the pictures that have them\n"
     "  depth       float .npy along z and along the ray      normals  float .npy, two frames\n"
     "  ids         16-bit PNG of objects and materials, with their names in legend.json\n"
     "  flow        .flo to the next and the previous frame, with masks of what is hidden\n"

@@ -110,7 +110,8 @@ void AddSensorOptions(CLI::App& command, SensorCommandOptions& o) {
        "Light's fall-off: none, cos4, or a polynomial a1,a2,a3 in r^2 (corner: 1), or "
        "cos4,a1,a2,a3");
   text("--depth-sensor", o.depth_model,
-       "Depth: perfect, kinect, kinect-legacy, khoshelham or nguyen; default: perfect")
+       "Depth: perfect, png16 (its 1/5000 m steps), kinect, kinect-legacy, khoshelham or nguyen; "
+       "default: perfect")
       ->check(CLI::IsMember(sim::DepthSensorModels()));
   command
       .add_flag("--depth-dropouts", o.depth_dropouts,

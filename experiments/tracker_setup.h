@@ -13,19 +13,17 @@
 #include "silt/tracker/backend.h"
 #include "silt/tracker/initializer.h"
 #include "silt/tracker/keyframe_tracker.h"
-#include "silt/tracker/options.h"
 
 namespace silt::experiments {
 
 // Everything of a tracker that has a name on the command line.
 struct TrackerSetup {
-  std::string preset = "paper";
+  std::string preset = "paper";  // as PresetOptions takes it
   std::string backend = "cpu";
   std::string initializer = "sparse";
   std::uint64_t seed = 0;
 };
 
-std::vector<std::string> PresetNames();
 // Those that this build knows, compiled in or not. "cpu" takes the best SIMD level that the
 // processor has, "cpu-avx2" that one; the results are the same.
 std::vector<std::string> BackendNames();
@@ -33,7 +31,6 @@ std::vector<std::string> InitializerNames();
 
 // Each throws silt::Error for an unknown name, and MakeBackend for one that is not compiled in or
 // finds no device.
-tracker::TrackerOptions PresetOptions(const std::string& preset);
 std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name);
 // "previous" is none: the tracker then starts from the last pose.
 std::unique_ptr<tracker::Initializer> MakeInitializer(const std::string& name);

@@ -54,6 +54,11 @@ std::string FormatImu(const ImuRecording& imu) {
   return text;
 }
 
+sim::RenderOptions WithoutNoise(sim::RenderOptions options) {
+  options.sensor.noise = {};
+  return options;
+}
+
 Json Conventions() {
   return {
       {"camera_axes", "x right, y down, z forward; pixel centres at integers"},
@@ -61,6 +66,7 @@ Json Conventions() {
       {"time",
        "of a frame: the middle of its exposure, of its middle row where the shutter rolls; depth, "
        "normals, ids and flow hold at the middle of each row's own exposure"},
+      {"sharp", "8-bit colours without blur and noise, of the middle of each row's exposure"},
       {"depth_z", "float32 metres along the optical axis; 0: nothing"},
       {"depth_ray", "float32 metres from the camera's centre along the ray; 0: nothing"},
       {"normal", "unit vectors of the surface, on the side that is seen; 0: nothing"},
@@ -82,8 +88,13 @@ Json Conventions() {
 }  // namespace
 
 Json TruthSelection::ToJson() const {
-  return {{"depth", depth}, {"normals", normals}, {"ids", ids},
-          {"flow", flow},   {"imu", imu},         {"pose_rate_hz", poses ? pose_rate_hz : 0}};
+  return {{"sharp", sharp},
+          {"depth", depth},
+          {"normals", normals},
+          {"ids", ids},
+          {"flow", flow},
+          {"imu", imu},
+          {"pose_rate_hz", poses ? pose_rate_hz : 0}};
 }
 
 TruthWriter::TruthWriter(fs::path folder, const TruthSelection& selection, const World& world,
@@ -92,6 +103,7 @@ TruthWriter::TruthWriter(fs::path folder, const TruthSelection& selection, const
       selection_(selection),
       world_(world),
       renderer_(renderer),
+      noiseless_(renderer.lit_scene(), WithoutNoise(renderer.options())),
       flow_(world.scene->tracer(), renderer.options().camera, renderer.options().lens),
       poses_(std::move(poses)) {
   const sim::RenderOptions& options = renderer.options();
@@ -105,6 +117,7 @@ std::vector<fs::path> TruthWriter::FrameFiles(int number) const {
   };
   const bool forward = selection_.flow && number + 1 < int(poses_.size());
   const bool backward = selection_.flow && number > 0;
+  add(selection_.sharp, "sharp", ".png");
   add(selection_.depth, "depth_z", ".npy");
   add(selection_.depth, "depth_ray", ".npy");
   add(selection_.normals, "normal_camera", ".npy");
@@ -129,6 +142,7 @@ std::vector<fs::path> TruthWriter::SequenceFiles() const {
 
 void TruthWriter::Write(int number) const {
   const TruthSelection& s = selection_;
+  if (s.sharp) WriteSharp(number);
   if (!s.depth && !s.normals && !s.ids && !s.flow) return;
   const sim::GeometryBuffers geometry =
       renderer_.RenderGeometry(world_.Pose(), poses_.at(std::size_t(number)).time_s);
@@ -142,6 +156,12 @@ sim::RowPoses TruthWriter::PosesOf(int number) const {
   const sim::RenderOptions& options = renderer_.options();
   return sim::PosesOfRows(options.shutter, options.camera.height, world_.Pose(),
                           poses_[std::size_t(number)].time_s);
+}
+
+void TruthWriter::WriteSharp(int number) const {
+  const double time_s = poses_.at(std::size_t(number)).time_s;
+  WriteRgb(folder_ / FileOf("sharp", number, ".png"),
+           noiseless_.Develop(noiseless_.RenderSharp(world_.Pose(), time_s, number), {}));
 }
 
 void TruthWriter::WriteDepth(int number, const sim::GeometryBuffers& geometry) const {

@@ -20,14 +20,17 @@ namespace silt::experiments {
 // Which truth is written beside a sequence.
 struct TruthSelection {
   bool depth = false, normals = false, ids = false, flow = false, imu = false, poses = false;
+  bool sharp = false;
   double pose_rate_hz = 1000;
 
-  bool Any() const { return depth || normals || ids || flow || imu || poses; }
+  bool Any() const { return sharp || depth || normals || ids || flow || imu || poses; }
   Json ToJson() const;
 };
 
-// Writes what is true of a rendered sequence into its folder's truth/. Nothing of it is filtered or
-// noisy: it is that of the ray through each pixel's centre in the middle of its row's exposure.
+// Writes what is true of a rendered sequence into its folder's truth/, of the middle of each row's
+// exposure. Nothing of it is noisy, and all but the sharp picture is that of the ray through each
+// pixel's centre.
+//   sharp/                         000000.png: what an instant's exposure shows
 //   depth_z/ depth_ray/            000000.npy: float32, metres; 0: nothing is seen
 //   normal_camera/ normal_world/   000000.npy: float32 × 3, unit, towards the camera
 //   instance/ material/            000000.png: 16 bits; what a number means is in legend.json
@@ -49,6 +52,7 @@ class TruthWriter {
 
  private:
   sim::RowPoses PosesOf(int number) const;
+  void WriteSharp(int number) const;
   void WriteDepth(int number, const sim::GeometryBuffers& geometry) const;
   void WriteNormals(int number, const sim::GeometryBuffers& geometry) const;
   void WriteIds(int number, const sim::GeometryBuffers& geometry) const;
@@ -59,6 +63,7 @@ class TruthWriter {
   TruthSelection selection_;
   const World& world_;
   const sim::Renderer& renderer_;
+  const sim::Renderer noiseless_;
   sim::OpticalFlow flow_;
   std::optional<sim::LensMap> lens_;
   Trajectory poses_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "silt/sim/depth_sensor.h"
 
+#include <cmath>
 #include <utility>
 
 #include "silt/core/error.h"
@@ -17,6 +18,20 @@ class PerfectDepth : public DepthSensor {
  public:
   Image<float> Measure(const DepthView& view, const NoiseKey&) const override {
     return view.truth.depth_m;
+  }
+};
+
+// Perfect depth as TUM's 16-bit PNG files hold it: nothing beyond 13.1 m.
+class StoredDepth : public DepthSensor {
+ public:
+  Image<float> Measure(const DepthView& view, const NoiseKey&) const override {
+    constexpr double steps_per_metre = 5000, most_steps = 65535;
+    Image<float> stored_m = view.truth.depth_m;
+    for (float& z : stored_m) {
+      const double steps = std::round(double(z) * steps_per_metre);
+      z = steps <= most_steps ? float(steps / steps_per_metre) : 0;
+    }
+    return stored_m;
   }
 };
 
@@ -37,6 +52,7 @@ class WithDropouts : public DepthSensor {
 
 std::shared_ptr<const DepthSensor> MakeModel(const std::string& model) {
   if (model == "perfect") return std::make_shared<PerfectDepth>();
+  if (model == "png16") return std::make_shared<StoredDepth>();
   if (model == "kinect") return std::make_shared<KinectDepth>(KinectDepth::Rounding::kFloor);
   if (model == "kinect-legacy")
     return std::make_shared<KinectDepth>(KinectDepth::Rounding::kNearest);
@@ -50,8 +66,8 @@ std::shared_ptr<const DepthSensor> MakeModel(const std::string& model) {
 }  // namespace
 
 const std::vector<std::string>& DepthSensorModels() {
-  static const std::vector<std::string> models{"perfect", "kinect", "kinect-legacy", "khoshelham",
-                                               "nguyen"};
+  static const std::vector<std::string> models{"perfect",       "png16",      "kinect",
+                                               "kinect-legacy", "khoshelham", "nguyen"};
   return models;
 }
 

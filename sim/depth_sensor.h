@@ -28,7 +28,8 @@ struct DepthSensorOptions {
   void Validate() const;  // throws silt::Error
 };
 
-// perfect, kinect, kinect-legacy, khoshelham, nguyen: see the header of each.
+// perfect; png16, the same in the 1/5000 m steps of TUM's PNG files; kinect, kinect-legacy,
+// khoshelham, nguyen: see the header of each.
 const std::vector<std::string>& DepthSensorModels();
 
 // The sensor with its dropouts. Throws silt::Error for options that are none.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "silt/core/error.h"
+#include "silt/experiments/tracker_options.h"
 #include "silt/experiments/tracker_setup.h"
 
 namespace silt::experiments {

@@ -44,7 +44,7 @@ class TruthWriterTest : public testing::Test {
 
 TEST_F(TruthWriterTest, FilesAreThoseThatWereAnnounced) {
   TruthSelection all;
-  all.depth = all.normals = all.ids = all.flow = all.imu = all.poses = true;
+  all.sharp = all.depth = all.normals = all.ids = all.flow = all.imu = all.poses = true;
   const TruthWriter writer = Writer(all);
   const ImuRecording imu = sim::RecordImu(StudioWorld().path, {}, 0.5, 0.3);
   std::vector<fs::path> announced = writer.SequenceFiles(), found;
@@ -60,9 +60,26 @@ TEST_F(TruthWriterTest, FilesAreThoseThatWereAnnounced) {
   std::sort(found.begin(), found.end());
   EXPECT_EQ(announced, found);
   // The first has no frame before it and the last none after it.
-  EXPECT_EQ(writer.FrameFiles(0).size(), 8u);
-  EXPECT_EQ(writer.FrameFiles(1).size(), 10u);
-  EXPECT_EQ(writer.FrameFiles(2).size(), 8u);
+  EXPECT_EQ(writer.FrameFiles(0).size(), 9u);
+  EXPECT_EQ(writer.FrameFiles(1).size(), 11u);
+  EXPECT_EQ(writer.FrameFiles(2).size(), 9u);
+}
+
+// Of a blurred and noisy sequence, the sharp picture is that of a camera without either.
+TEST_F(TruthWriterTest, TheSharpPictureHasNeitherBlurNorNoise) {
+  sim::RenderOptions options = SmallPictures(64);
+  const double time_s = poses_[1].time_s;
+  const Image<Rgb8> perfect =
+      sim::Renderer(StudioWorld().scene, options).Render(StudioWorld().Pose(), time_s, 1).rgb;
+  options.shutter = {.exposure_s = 0.1, .time_samples = 8};
+  options.sensor.noise = sim::HandaNoise{};
+  const sim::Renderer shaky(StudioWorld().scene, options);
+  TruthSelection selection;
+  selection.sharp = true;
+  const TruthWriter writer(folder_.path(), selection, StudioWorld(), shaky, poses_);
+  writer.Write(1);
+  EXPECT_EQ(ReadRgb(folder_ / "truth/sharp/000001.png"), perfect);
+  EXPECT_FALSE(shaky.Render(StudioWorld().Pose(), time_s, 1).rgb == perfect);
 }
 
 // In the world the floor's normals point up, from whichever frame they are seen.

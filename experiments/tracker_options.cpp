@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/experiments/tracker_options.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "silt/core/error.h"
+
+namespace silt::experiments {
+namespace {
+
+// Shows every option to `visit(group, name, value)`: the one list of them that there is.
+template <typename Options, typename Visitor>
+void VisitOptions(Options& o, const Visitor& visit) {
+  auto& a = o.alignment;
+  visit("alignment", "max_iterations", a.max_iterations);
+  visit("alignment", "initial_damping", a.initial_damping);
+  visit("alignment", "damping_factor", a.damping_factor);
+  visit("alignment", "min_update_norm", a.min_update_norm);
+  visit("alignment", "min_overlap", a.min_overlap);
+  visit("alignment", "exclude_hidden", a.exclude_hidden);
+  visit("alignment", "use_current_depth", a.use_current_depth);
+  visit("alignment", "depth_edge_margin_px", a.depth_edge_margin_px);
+  visit("alignment", "robust_scale", a.robust_scale);
+  visit("alignment", "robust_gradient", a.robust_gradient);
+  visit("alignment", "depth_residual", a.depth_residual);
+  auto& k = o.keyframes;
+  visit("keyframes", "max_distance_m", k.max_distance_m);
+  visit("keyframes", "max_rotation_deg", k.max_rotation_deg);
+  visit("keyframes", "min_measured_depth", k.min_measured_depth);
+  visit("keyframes", "metres_per_radian", k.metres_per_radian);
+  visit("keyframes", "joint", k.joint);
+  visit("", "always_initialize", o.always_initialize);
+  visit("", "max_unexplained_variance", o.max_unexplained_variance);
+  visit("", "max_depth_disagreement", o.max_depth_disagreement);
+}
+
+template <typename T>
+bool ParseNumber(const std::string& text, T& value) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end;
+}
+
+bool Parse(const std::string& text, double& value) { return ParseNumber(text, value); }
+bool Parse(const std::string& text, int& value) { return ParseNumber(text, value); }
+bool Parse(const std::string& text, bool& value) {
+  value = text == "1";
+  return value || text == "0";
+}
+bool Parse(const std::string& text, std::vector<int>& value) {
+  value.clear();
+  std::istringstream entries(text);
+  for (std::string entry; std::getline(entries, entry, '-');) {
+    if (!ParseNumber(entry, value.emplace_back())) return false;
+  }
+  return !value.empty();
+}
+
+void Change(tracker::TrackerOptions& options, const std::string& change,
+            const std::string& preset) {
+  const std::size_t equals = change.find('=');
+  const std::string name = change.substr(0, equals);
+  std::string known;
+  bool found = false;
+  VisitOptions(options, [&](const char*, const char* option, auto& value) {
+    known += (known.empty() ? "" : ", ") + std::string(option);
+    if (option != name) return;
+    found = true;
+    if (equals == std::string::npos || !Parse(change.substr(equals + 1), value)) {
+      throw Error("preset " + Quoted(preset) + ": " + Quoted(change) +
+                  " gives the option no value that it can have");
+    }
+  });
+  if (found) return;
+  throw Error("preset " + Quoted(preset) + ": no option is named " + Quoted(name) +
+              "; there are: " + known);
+}
+
+tracker::TrackerOptions Unchanged(const std::string& preset) {
+  if (preset == "paper") return tracker::PaperPreset();
+  if (preset == "paper-all-pixels") return tracker::PaperAllPixelsPreset();
+  if (preset == "accurate") return tracker::AccuratePreset();
+  if (preset == "fast") return tracker::FastPreset();
+  std::string known;
+  for (const std::string& one : PresetNames()) known += (known.empty() ? "" : ", ") + one;
+  throw Error("no preset is named " + Quoted(preset) + "; there are: " + known);
+}
+
+}  // namespace
+
+std::vector<std::string> PresetNames() { return {"paper", "paper-all-pixels", "accurate", "fast"}; }
+
+tracker::TrackerOptions PresetOptions(const std::string& preset) {
+  std::istringstream parts(preset);
+  std::string part;
+  std::getline(parts, part, ':');
+  tracker::TrackerOptions options = Unchanged(part);
+  while (std::getline(parts, part, ':')) Change(options, part, preset);
+  options.Validate();
+  return options;
+}
+
+Json ToJson(const tracker::TrackerOptions& options) {
+  Json json;
+  VisitOptions(options, [&](const std::string& group, const char* name, const auto& value) {
+    (group.empty() ? json : json[group])[name] = value;
+  });
+  return json;
+}
+
+}  // namespace silt::experiments
