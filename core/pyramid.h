@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "silt/core/host_device.h"
 #include "silt/core/image.h"
 
 namespace silt {
@@ -14,9 +15,10 @@ Image<float> HalvedIntensity(const Image<float>& intensity);
 // `same_surface` (relative) of the nearest one are averaged as inverse depths, which is exact for a
 // plane; mixing over an edge would invent a surface between the two. 0: no measurement in the
 // block.
-Image<float> HalvedDepth(const Image<float>& depth_m, float same_surface = 0.05f);
+inline constexpr float kSameSurface = 0.05f;
+Image<float> HalvedDepth(const Image<float>& depth_m, float same_surface = kSameSurface);
 
 // A measurement is a finite, positive depth.
-inline bool IsMeasured(float depth_m) { return depth_m > 0 && depth_m < 1e6f; }
+SILT_HOST_DEVICE inline bool IsMeasured(float depth_m) { return depth_m > 0 && depth_m < 1e6f; }
 
 }  // namespace silt

@@ -15,6 +15,7 @@
 #include "silt/experiments/option_checks.h"
 #include "silt/experiments/output.h"
 #include "silt/experiments/output_folder.h"
+#include "silt/experiments/tracker_setup.h"
 #include "silt/sim/depth_sensor.h"
 
 namespace silt::experiments {
@@ -100,9 +101,7 @@ void AddOptions(CLI::App& command, Options& o) {
           "Trackers to compare: paper, paper-all-pixels, accurate, fast; with options changed: "
           "accurate:joint=1")
       ->capture_default_str();
-  command
-      .add_option("--backend", o.accuracy.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512 or cuda")
-      ->capture_default_str();
+  command.add_option("--backend", o.accuracy.backend, kBackendHelp)->capture_default_str();
   command.add_option("--init", o.accuracy.initializer, "sparse or previous")->capture_default_str();
   command
       .add_option("--depth-sensor", o.accuracy.depth_sensor,

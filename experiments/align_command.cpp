@@ -15,6 +15,7 @@
 #include "silt/experiments/manifest.h"
 #include "silt/experiments/option_checks.h"
 #include "silt/experiments/output.h"
+#include "silt/experiments/tracker_setup.h"
 
 namespace silt::experiments {
 namespace {
@@ -113,8 +114,7 @@ void AddAlignCommand(CLI::App& program, const Invocation& invocation) {
       ->expected(7);
   command->add_option("--preset", setup.tracker.preset, "accurate, fast, paper, paper-all-pixels")
       ->capture_default_str();
-  command->add_option("--backend", setup.tracker.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512")
-      ->capture_default_str();
+  command->add_option("--backend", setup.tracker.backend, kBackendHelp)->capture_default_str();
   RequireInteger(command->add_option("--threads", options->threads, "0: one per processor"), 0,
                  1024);
   command->add_option("--json", options->json, "Write results and manifest here (-: to stdout)");

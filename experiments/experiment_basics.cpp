@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "silt/experiments/option_checks.h"
+#include "silt/experiments/tracker_setup.h"
 
 namespace silt::experiments {
 
@@ -38,8 +39,7 @@ void AddExperimentBasics(CLI::App& command, ExperimentBasics& o) {
   command.add_option("--scene", o.scene, "Scene by name or path; default: office");
   command.add_option("--trajectory", o.trajectory,
                      "Camera path by name or path; default: desk, or the only one");
-  command.add_option("--backend", o.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512 or cuda")
-      ->capture_default_str();
+  command.add_option("--backend", o.backend, kBackendHelp)->capture_default_str();
   RequireInteger(command.add_option("--width", o.width, "Width of the image; default: 640"), 64,
                  8192);
   RequireInteger(

@@ -22,6 +22,7 @@
 #include "silt/experiments/output.h"
 #include "silt/experiments/progress.h"
 #include "silt/experiments/simulation_options.h"
+#include "silt/experiments/tracker_setup.h"
 #include "silt/experiments/tracking_run.h"
 
 namespace silt::experiments {
@@ -157,10 +158,7 @@ void AddTrackerOptions(CLI::App& command, Options& options) {
       .add_option("--preset", options.tracker.preset,
                   "Tracker: paper, paper-all-pixels (hidden ones too), accurate, fast")
       ->capture_default_str();
-  command
-      .add_option("--backend", options.tracker.backend,
-                  "Where it computes: cpu, cpu-sse2, cpu-avx2, cpu-avx512 or cuda")
-      ->capture_default_str();
+  command.add_option("--backend", options.tracker.backend, kBackendHelp)->capture_default_str();
   command
       .add_option("--init", options.tracker.initializer,
                   "Where an alignment starts: sparse (features) or previous (the last pose)")

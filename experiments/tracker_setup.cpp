@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "silt/experiments/tracker_setup.h"
 
+#include <spdlog/spdlog.h>
+
 #include <nlohmann/json.hpp>
 
 #include "silt/core/error.h"
 #include "silt/experiments/tracker_options.h"
 #include "silt/tracker/cpu_backend.h"
 #include "silt/tracker/sparse/sparse_initializer.h"
+#ifdef SILT_HAVE_CUDA
+#include "silt/cuda/cuda_backend.h"
+#include "silt/cuda/devices.h"
+#include "silt/cuda/emulated_backend.h"
+#endif
 
 namespace silt::experiments {
 namespace {
@@ -19,10 +26,18 @@ namespace {
   throw Error("no " + kind + " is named '" + name + "'; there are: " + list);
 }
 
+bool HasGpu() {
+#ifdef SILT_HAVE_CUDA
+  return !cuda::DeviceList().empty();
+#else
+  return false;
+#endif
+}
+
 }  // namespace
 
 std::vector<std::string> BackendNames() {
-  return {"cpu", "cpu-sse2", "cpu-avx2", "cpu-avx512", "cuda"};
+  return {"cpu", "cpu-sse2", "cpu-avx2", "cpu-avx512", "cuda", "cuda-emulated", "auto"};
 }
 std::vector<std::string> InitializerNames() { return {"sparse", "previous"}; }
 
@@ -31,8 +46,19 @@ std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
   if (name == "cpu-sse2" || name == "cpu-avx2" || name == "cpu-avx512") {
     return tracker::MakeCpuBackend(tracker::SimdLevelFromName(name.substr(4)));
   }
-  if (name == "cuda") {
-    throw Error("--backend cuda: this build holds no CUDA tracker; use --backend cpu");
+#ifdef SILT_HAVE_CUDA
+  if (name == "cuda") return cuda::MakeCudaBackend();
+  if (name == "cuda-emulated") return cuda::MakeEmulatedBackend();
+#else
+  if (name == "cuda" || name == "cuda-emulated") {
+    throw Error("--backend " + name +
+                ": this build was made without nvcc and holds no CUDA backend; use --backend cpu");
+  }
+#endif
+  if (name == "auto") {
+    const std::string best = HasGpu() ? "cuda" : "cpu";
+    spdlog::info("--backend auto: {}", best);
+    return MakeBackend(best);
   }
   Unknown("backend", name, BackendNames());
 }

@@ -25,8 +25,13 @@ struct TrackerSetup {
 };
 
 // Those that this build knows, compiled in or not. "cpu" takes the best SIMD level that the
-// processor has, "cpu-avx2" that one; the results are the same.
+// processor has, "cpu-avx2" that one; the results are the same. "cuda" is the first GPU,
+// "cuda-emulated" the GPU's code run by the CPU thread by thread, and "auto" the GPU if there is
+// one.
 std::vector<std::string> BackendNames();
+inline constexpr const char* kBackendHelp =
+    "Where it computes: cpu (or cpu-sse2, cpu-avx2, cpu-avx512), cuda, cuda-emulated, or auto: a "
+    "GPU if there is one";
 std::vector<std::string> InitializerNames();
 
 // Each throws silt::Error for an unknown name, and MakeBackend for one that is not compiled in or

@@ -3,27 +3,21 @@
 #include "silt/tracker/depth_edges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "silt/core/parallel.h"
+#include "silt/tracker/kernel/depth_edge.h"
 
 namespace silt::tracker {
 namespace {
 
-// Share of the nearer depth: well above the slope of a surface from one pixel to the next, well
-// below the gap between two objects.
-constexpr float kJump = 0.03f;
-
 using Mask = Image<std::uint8_t>;
 
-// Where a depth differs from that of `other`, a row or the same row one pixel on. Holes differ from
-// everything but holes.
+// Where a depth differs from that of `other`, a row or the same row one pixel on.
 void MarkJumps(const float* depth_m, const float* other_m, int n, std::uint8_t* here,
                std::uint8_t* there) {
   for (int x = 0; x < n; ++x) {
-    const float a = depth_m[x], b = other_m[x];
-    const std::uint8_t jump = !(std::abs(a - b) <= kJump * std::min(a, b));
+    const std::uint8_t jump = kernel::IsDepthJump(depth_m[x], other_m[x]);
     here[x] |= jump;
     there[x] |= jump;
   }

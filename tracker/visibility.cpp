@@ -6,43 +6,26 @@
 #include <limits>
 
 #include "silt/core/parallel.h"
-#include "silt/tracker/kernel/warp.h"
+#include "silt/tracker/kernel/visibility.h"
 
 namespace silt::tracker {
 namespace {
 
-// A point hides others that are farther by more than this share of its depth: well above the slope
-// of a surface over the few pixels looked at, well below the gap between two objects.
-constexpr float kDepthMargin = 0.03f;
+using kernel::CellLanding;
 
-// The current image in cells of 2×2 pixels: wide enough for no gap to open between the points of a
-// surface that the camera comes closer to. A point is hidden by those in its own cell and the eight
-// around it, 2 to 4 pixels on each side: the pose is not yet exact, and a residual beside an
-// occluding edge mixes both surfaces.
-constexpr int kCellPixels = 2;
-
-// A reference pixel in the current image.
-struct Landing {
-  int cell = 0;
-  float z = 0;  // 0: out of view
-};
-
-class CellGrid {
+class Cells {
  public:
-  explicit CellGrid(const PinholeCamera& camera)
+  explicit Cells(const PinholeCamera& camera)
       : camera_(camera),
-        nearest_z_(camera.width / kCellPixels + 1, camera.height / kCellPixels + 1,
+        nearest_z_(kernel::CellsOf(camera.width, camera.height).columns,
+                   kernel::CellsOf(camera.width, camera.height).rows,
                    std::numeric_limits<float>::max()) {}
 
-  Landing Land(const kernel::WarpedPixel<float>& warped) const {
-    const bool in_view = warped.front && warped.u >= 0 && warped.v >= 0 &&
-                         warped.u < float(camera_.width) && warped.v < float(camera_.height);
-    if (!in_view) return {};
-    const int column = int(warped.u) / kCellPixels, row = int(warped.v) / kCellPixels;
-    return {row * nearest_z_.width() + column, warped.point.z};
+  CellLanding Land(const kernel::WarpedPixel<float>& warped) const {
+    return kernel::LandInCell(warped, camera_.width, camera_.height);
   }
 
-  void Add(const Landing& landing) {
+  void Add(const CellLanding& landing) {
     float& nearest = nearest_z_.data()[landing.cell];
     if (landing.z > 0) nearest = std::min(nearest, landing.z);
   }
@@ -53,8 +36,8 @@ class CellGrid {
     nearest_z_ = LeastOfThree(rows, 0, 1);
   }
 
-  bool Hides(const Landing& landing) const {
-    return nearest_z_.data()[landing.cell] < (1 - kDepthMargin) * landing.z;
+  bool Hides(const CellLanding& landing) const {
+    return kernel::IsHidden(landing, nearest_z_.data()[landing.cell]);
   }
 
  private:
@@ -75,9 +58,9 @@ class CellGrid {
   Image<float> nearest_z_;
 };
 
-Image<Landing> LandAll(const Image<float>& depth_m, const kernel::Warp<float>& warp,
-                       const CellGrid& cells) {
-  Image<Landing> landings(depth_m.width(), depth_m.height());
+Image<CellLanding> LandAll(const Image<float>& depth_m, const kernel::Warp<float>& warp,
+                           const Cells& cells) {
+  Image<CellLanding> landings(depth_m.width(), depth_m.height());
   ParallelFor(depth_m.height(), [&](int y) {
     for (int x = 0; x < depth_m.width(); ++x) {
       landings(x, y) =
@@ -92,10 +75,10 @@ Image<Landing> LandAll(const Image<float>& depth_m, const kernel::Warp<float>& w
 Image<float> VisibleDepth(const Image<float>& depth_m, const PinholeCamera& camera,
                           const SE3d& current_from_reference) {
   SILT_CHECK(depth_m.width() == camera.width && depth_m.height() == camera.height);
-  CellGrid cells(camera);
+  Cells cells(camera);
   const kernel::Warp<float> warp(kernel::Warp<double>(current_from_reference, camera));
-  const Image<Landing> landings = LandAll(depth_m, warp, cells);
-  for (const Landing& landing : landings) cells.Add(landing);
+  const Image<CellLanding> landings = LandAll(depth_m, warp, cells);
+  for (const CellLanding& landing : landings) cells.Add(landing);
   cells.Spread();
   Image<float> visible = depth_m;
   ParallelFor(depth_m.height(), [&](int y) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "silt/core/host_device.h"
+#include "silt/tracker/kernel/residual.h"
 
 namespace silt::tracker::kernel {
 
@@ -33,6 +34,16 @@ SILT_HOST_DEVICE inline RobustWeight<T> Weigh(const RobustNorm<T>& norm, const T
   const T a = T(1) + gradient_squared * norm.inverse_gradient_squared;
   const T s = T(1) / (a + residual * residual * norm.inverse_scale_squared);
   return {s, norm.root_weight * (s * sqrt(a))};
+}
+
+// Gives residual and Jacobian their √w, and tells s·r².
+template <typename T>
+SILT_HOST_DEVICE inline T Weigh(const RobustNorm<T>& norm, LinearizedResidual<T>* r) {
+  const RobustWeight<T> weight = Weigh(norm, r->residual, r->gradient_squared);
+  const T robust_square = weight.s * (r->residual * r->residual);
+  r->residual = weight.root * r->residual;
+  for (T& j : r->jacobian) j = weight.root * j;
+  return robust_square;
 }
 
 }  // namespace silt::tracker::kernel

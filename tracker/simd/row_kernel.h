@@ -8,6 +8,7 @@
 // The kernels use what batch.h declares.
 #include "silt/tracker/kernel/residual.h"
 #include "silt/tracker/kernel/robust_norm.h"
+#include "silt/tracker/kernel/visibility.h"
 #include "silt/tracker/simd/kernels.h"
 
 namespace silt::tracker::simd {
@@ -59,8 +60,6 @@ class RowKernel {
   static constexpr int kProducts = kSquaresSum;
   // AVX-512 keeps all 27 sums in its 32 registers; others have 16 and go over a chunk twice.
   static constexpr int kProductsAtOnce = kBatch == 16 ? kProducts : 14;
-  // A point hides what lies farther behind it than this share of its depth.
-  static constexpr float kDepthMargin = 0.03f;
 
   // The columns of J, and r: 0 where there is no residual.
   struct Chunk {
@@ -155,30 +154,20 @@ class RowKernel {
     Add(r.residual * r.residual, row->value[kSquaresSum] + lane);
     Add(Ones(r.valid), row->value[kCountSum] + lane);
     if constexpr (kKind != Residuals::kSquares) {
-      Add(Weigh(intensity_norm_, &r), row->value[kRobustSum] + lane);
+      Add(kernel::Weigh(intensity_norm_, &r), row->value[kRobustSum] + lane);
     }
     Store(r, at, intensity);
     if constexpr (kKind == Residuals::kRobustWithDepth) {
       kernel::LinearizedResidual<Batch> d =
           kernel::LinearizeInverseDepth(warp_, warped, inverse_depth_);
       Add(Ones(d.valid), row->value[kDepthCountSum] + lane);
-      Add(Weigh(inverse_depth_norm_, &d), row->value[kDepthRobustSum] + lane);
+      Add(kernel::Weigh(inverse_depth_norm_, &d), row->value[kDepthRobustSum] + lane);
       Store(d, at, inverse_depth);
     }
   }
 
   static Batch Ones(const kernel::Mask<Batch>& mask) {
     return Select(mask, Batch(1.0f), Batch(0.0f));
-  }
-
-  // Gives residual and Jacobian their weight, and tells s·r².
-  static Batch Weigh(const kernel::RobustNorm<Batch>& norm, kernel::LinearizedResidual<Batch>* r) {
-    const kernel::RobustWeight<Batch> weight =
-        kernel::Weigh(norm, r->residual, r->gradient_squared);
-    const Batch robust_square = weight.s * (r->residual * r->residual);
-    r->residual = weight.root * r->residual;
-    for (Batch& j : r->jacobian) j = weight.root * j;
-    return robust_square;
   }
 
   static void Store(const kernel::LinearizedResidual<Batch>& r, int at, Chunk* chunk) {
@@ -227,13 +216,9 @@ class RowKernel {
   [[gnu::flatten]] Batch VisibleDepth(int x, int y) const {
     const kernel::ReferencePixel<Batch> pixel = Pixels(x, y);
     const kernel::WarpedPixel<Batch> warped = kernel::WarpPixel(warp_, pixel);
-    const Batch u = warped.u + Batch(0.5f), v = warped.v + Batch(0.5f), zero(0.0f);
-    const auto inside = warped.front && u >= zero && v >= zero && u < Batch(float(view_.width)) &&
-                        v < Batch(float(view_.height));
-    const Batch seen_m = NearestCurrentDepth(Select(inside, u, zero), Select(inside, v, zero));
-    const auto hidden = inside && seen_m > Batch(kernel::kMinDepth) &&
-                        warped.point.z > Batch(1 + kDepthMargin) * seen_m;
-    return Select(hidden, zero, pixel.depth_m);
+    const kernel::LandingPixel<Batch> landing = kernel::Land(warped, view_.width, view_.height);
+    const Batch seen_m = NearestCurrentDepth(landing.x, landing.y);
+    return Select(kernel::IsHidden(warped, landing, seen_m), Batch(0.0f), pixel.depth_m);
   }
 
   Batch NearestCurrentDepth(const Batch& x, const Batch& y) const {

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "silt/cuda/pyramid_bodies.h"
+#include "silt/tracker/backend.h"
+
+namespace silt::cuda {
+
+// An image in a machine's memory. Levels are shared between pyramids that differ in some of them.
+template <typename Machine>
+struct BlockImage {
+  using Floats = typename Machine::template Array<float>;
+  int width = 0, height = 0;
+  std::shared_ptr<Floats> pixels;
+
+  BlockImage(const Machine& machine, int columns, int rows)
+      : width(columns),
+        height(rows),
+        pixels(std::make_shared<Floats>(machine, std::size_t(columns) * std::size_t(rows))) {}
+  int size() const { return width * height; }
+  float* data() const { return pixels->data(); }
+};
+
+// Makes images of images on a machine, as the CPU backend does.
+template <typename Machine>
+class BlockImaging {
+ public:
+  using Picture = BlockImage<Machine>;
+  using Pyramid = std::vector<Picture>;
+
+  explicit BlockImaging(const Machine& machine) : machine_(machine) {}
+
+  Picture Upload(const Image<float>& image) const {
+    Picture picture(machine_, image.width(), image.height());
+    machine_.Upload(image.data(), *picture.pixels);
+    return picture;
+  }
+
+  template <typename Halve>
+  Pyramid Halvings(Picture finest, int levels) const {
+    Pyramid pyramid{std::move(finest)};
+    while (int(pyramid.size()) < levels) {
+      const Picture& fine = pyramid.back();
+      Picture half(machine_, fine.width / 2, fine.height / 2);
+      Each(half.size(), Halve{fine.data(), fine.width, half.data(), half.width});
+      pyramid.push_back(std::move(half));
+    }
+    return pyramid;
+  }
+
+  // Without what lies nearer than `margin_px` to a depth edge; a coarse level takes half of it.
+  Pyramid WithoutEdges(const Pyramid& depth_m, int margin_px) const {
+    if (margin_px == 0) return depth_m;
+    Pyramid kept;
+    for (const Picture& depth : depth_m) {
+      kept.push_back(WithoutEdges(depth, (kept.empty() ? margin_px : (margin_px + 1) / 2) - 1));
+    }
+    return kept;
+  }
+
+  Picture ClearedIntensity(const Picture& intensity, const Picture& depth_m,
+                           const Picture& kept_m) const {
+    Picture cleared(machine_, intensity.width, intensity.height);
+    Each(cleared.size(),
+         ClearIntensity{depth_m.data(), kept_m.data(), intensity.data(), cleared.data()});
+    return cleared;
+  }
+
+  Picture Inverse(const Picture& depth_m) const {
+    Picture inverse(machine_, depth_m.width, depth_m.height);
+    Each(inverse.size(), InvertDepth{depth_m.data(), inverse.data()});
+    return inverse;
+  }
+
+  int Measured(const Picture& depth_m) const {
+    const Grid grid = GridFor(depth_m.size(), 16);
+    typename Machine::template Array<int> counts(machine_, std::size_t(grid.blocks));
+    machine_.Run(grid, CountMeasured{depth_m.data(), depth_m.size(), counts.data()});
+    int sum = 0;
+    for (const int count : machine_.Download(counts)) sum += count;
+    return sum;
+  }
+
+  template <typename Function>
+  void Each(int n, const Function& function) const {
+    if (n > 0) machine_.Run(GridFor(n), ForEach<Function>{n, function});
+  }
+
+ private:
+  Picture WithoutEdges(const Picture& depth_m, int reach) const {
+    const int width = depth_m.width, height = depth_m.height;
+    typename Machine::template Array<unsigned char> edge(machine_, std::size_t(depth_m.size()));
+    Picture kept(machine_, width, height);
+    Each(kept.size(), MarkEdges{depth_m.data(), width, height, edge.data()});
+    Each(kept.size(), ClearEdges{depth_m.data(), edge.data(), width, height, reach, kept.data()});
+    return kept;
+  }
+
+  const Machine& machine_;
+};
+
+template <typename Machine>
+class BlockReference : public tracker::ReferencePyramid {
+ public:
+  using Pyramid = typename BlockImaging<Machine>::Pyramid;
+
+  BlockReference(const BlockImaging<Machine>& imaging, const Image<float>& finest_intensity,
+                 const Image<float>& finest_depth_m, PinholeCamera camera,
+                 const tracker::PyramidOptions& options)
+      : intensity(imaging.template Halvings<HalveIntensity>(imaging.Upload(finest_intensity),
+                                                            options.levels)),
+        depth_m(imaging.WithoutEdges(
+            imaging.template Halvings<HalveDepth>(imaging.Upload(finest_depth_m), options.levels),
+            options.depth_edge_margin_px)) {
+    for (const auto& depth : depth_m) {
+      levels_.push_back({camera, imaging.Measured(depth)});
+      camera = camera.Halved();
+    }
+  }
+
+  // `other` with depths of its own.
+  BlockReference(const BlockReference& other, Pyramid depths_m)
+      : intensity(other.intensity), depth_m(std::move(depths_m)) {
+    levels_ = other.levels_;
+  }
+
+  const Pyramid intensity, depth_m;
+};
+
+// An intensity beside a depth edge is NaN, so that nothing is compared with it.
+template <typename Machine>
+class BlockCurrent : public tracker::CurrentPyramid {
+ public:
+  using Pyramid = typename BlockImaging<Machine>::Pyramid;
+
+  BlockCurrent(const BlockImaging<Machine>& imaging, const Image<float>& finest_intensity,
+               const Image<float>& finest_depth_m, const tracker::PyramidOptions& options)
+      : intensity(imaging.template Halvings<HalveIntensity>(imaging.Upload(finest_intensity),
+                                                            options.levels)) {
+    has_depth_ = !finest_depth_m.empty();
+    if (!has_depth_) return;
+    depth_m = imaging.template Halvings<HalveDepth>(imaging.Upload(finest_depth_m), options.levels);
+    const Pyramid kept = imaging.WithoutEdges(depth_m, options.depth_edge_margin_px);
+    for (std::size_t level = 0; level < intensity.size(); ++level) {
+      if (options.inverse_depth) inverse_depth.push_back(imaging.Inverse(kept[level]));
+      if (options.depth_edge_margin_px == 0) continue;
+      intensity[level] = imaging.ClearedIntensity(intensity[level], depth_m[level], kept[level]);
+    }
+  }
+
+  Pyramid intensity;
+  Pyramid depth_m;        // empty without a depth
+  Pyramid inverse_depth;  // without the edges; empty unless asked for
+};
+
+}  // namespace silt::cuda
