@@ -3,6 +3,7 @@
 #include "silt/experiments/comparison_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -15,6 +16,12 @@ std::string Digits(const char* format, double value) {
   char text[48];
   std::snprintf(text, sizeof text, format, value);
   return text;
+}
+
+// An error: three decimals, as the paper has at most, and more for what is small.
+std::string ErrorDigits(double value) {
+  const double size = std::abs(value);
+  return Digits(size >= 0.01 || size == 0 ? "%.3f" : size >= 0.0001 ? "%.4f" : "%.5f", value);
 }
 
 // One statistic: its name, and where it stands in our and in the paper's columns.
@@ -98,11 +105,11 @@ ComparisonTable PositionTable(const RunTable& runs) {
       return column ? std::string(column->*line.papers) : "";
     };
     AddRow(table, runs, line.label, papers, [&](const auto& seeds) {
-      return Digits("%.3f", seeds.front()->statistics.position_cm.*line.ours);
+      return ErrorDigits(seeds.front()->statistics.position_cm.*line.ours);
     });
   }
   AddRow(table, runs, "ATE RMSE, aligned", None,
-         [](const auto& seeds) { return Digits("%.3f", seeds.front()->ate_aligned_cm); });
+         [](const auto& seeds) { return ErrorDigits(seeds.front()->ate_aligned_cm); });
   return table;
 }
 
@@ -116,7 +123,7 @@ ComparisonTable OrientationTable(const RunTable& runs, int axis) {
       return column ? std::string(column->*line.papers) : "";
     };
     AddRow(table, runs, line.label, papers, [&](const auto& seeds) {
-      return Digits("%.3f", seeds.front()->statistics.orientation_deg[axis].*line.ours);
+      return ErrorDigits(seeds.front()->statistics.orientation_deg[axis].*line.ours);
     });
   }
   return table;
@@ -157,9 +164,8 @@ ComparisonTable Spread(const RunTable& runs, std::size_t seeds) {
     return column ? std::string(column->rmse) : "";
   };
   const auto add = [&](const char* label, double Statistics::*member, const auto& of_paper) {
-    AddRow(table, runs, label, of_paper, [member](const auto& of) {
-      return Digits("%.3f", Summarize(PositionRmse(of)).*member);
-    });
+    AddRow(table, runs, label, of_paper,
+           [member](const auto& of) { return ErrorDigits(Summarize(PositionRmse(of)).*member); });
   };
   add("Mean", &Statistics::mean, papers);
   add("Standard dev.", &Statistics::std_dev, None);
