@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "silt/experiments/program.h"
 
+#include <malloc.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -77,9 +78,19 @@ void AddCommands(CLI::App& app, const Invocation& invocation) {
   AddInfoCommand(app, invocation);
 }
 
+// Images come and go by the megabyte. glibc would return their memory to the system each time, and
+// to get it again, page by page, takes longer than most of what is done with it.
+void KeepFreedMemory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that glibc takes
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
 }  // namespace
 
 int RunProgram(int argc, const char* const* argv) {
+  KeepFreedMemory();
   // stdout is for results.
   spdlog::set_default_logger(spdlog::stderr_color_mt("silt"));
   spdlog::set_pattern("silt: %^%v%$");

@@ -129,6 +129,9 @@ class LevenbergMarquardt {
   // One iteration of Algorithm 1; true where |dξ| < ε.
   bool Step(int level, int iteration, const Twistd& update) {
     AlignmentStep step{level, iteration, damping_, UpdateNorm(update), cost_, {}, false};
+    const bool converged = step.update_norm < options_.min_update_norm;
+    // The step is not taken: only the log asks what it would have led to.
+    if (converged && !options_.keep_log) return true;
     const SE3d trial = TimedUpdate(update);
     NormalEquations trial_equations;
     if (options_.robust()) {
@@ -137,7 +140,6 @@ class LevenbergMarquardt {
     } else {
       step.trial_cost = TimedCost(level, trial);
     }
-    const bool converged = step.update_norm < options_.min_update_norm;
     step.accepted =
         !converged && EnoughPixels(level, step.trial_cost) && step.trial_cost.mean() < cost_.mean();
     if (step.accepted) {

@@ -2,125 +2,81 @@
 // SPDX-License-Identifier: MIT
 #include "silt/tracker/cpu_backend.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "silt/core/error.h"
-#include "silt/core/parallel.h"
-#include "silt/core/pyramid.h"
+#include "silt/tracker/cpu_preparation.h"
 #include "silt/tracker/cpu_reduction.h"
-#include "silt/tracker/depth_edges.h"
 #include "silt/tracker/visibility.h"
 
 namespace silt::tracker {
 namespace {
 
-// Levels are shared between pyramids that differ in some of them.
-using Level = std::shared_ptr<const Image<float>>;
-using Pyramid = std::vector<Level>;
-
-Level Share(Image<float> image) { return std::make_shared<const Image<float>>(std::move(image)); }
-
-template <typename Halve>
-Pyramid MakePyramid(const Image<float>& finest, int levels, const Halve& halve) {
-  Pyramid pyramid{Share(finest)};
-  for (int level = 1; level < levels; ++level) pyramid.push_back(Share(halve(*pyramid.back())));
-  return pyramid;
-}
-
-Pyramid IntensityPyramid(const Image<float>& finest, int levels) {
-  return MakePyramid(finest, levels,
-                     [](const Image<float>& image) { return HalvedIntensity(image); });
-}
-
-Pyramid DepthPyramid(const Image<float>& finest_m, int levels) {
-  return MakePyramid(finest_m, levels,
-                     [](const Image<float>& depth) { return HalvedDepth(depth); });
-}
-
 // Depth edges go at each level, so that what they mix at a coarse one does not reach a fine one.
 // A coarse pixel is wider: half the margin does.
-Pyramid EdgelessPyramid(const Pyramid& depth_m, int margin_px) {
-  if (margin_px == 0) return depth_m;
-  Pyramid kept;
-  for (const Level& level : depth_m) {
-    kept.push_back(
-        Share(WithoutDepthEdges(*level, kept.empty() ? margin_px : (margin_px + 1) / 2)));
-  }
-  return kept;
+int MarginAt(std::size_t level, const PyramidOptions& options) {
+  const int margin_px = options.depth_edge_margin_px;
+  return level == 0 ? margin_px : (margin_px + 1) / 2;
 }
 
 class CpuReference : public ReferencePyramid {
  public:
-  CpuReference(const Image<float>& finest_intensity, const Image<float>& finest_depth_m,
-               PinholeCamera camera, const PyramidOptions& options)
-      : intensity(IntensityPyramid(finest_intensity, options.levels)),
-        depth_m(EdgelessPyramid(DepthPyramid(finest_depth_m, options.levels),
-                                options.depth_edge_margin_px)) {
-    for (const Level& depth : depth_m) {
-      levels_.push_back({camera, int(std::count_if(depth->begin(), depth->end(), IsMeasured))});
+  CpuReference(const CpuPreparation& prepare, const Image<float>& finest_intensity,
+               const Image<float>& finest_depth_m, PinholeCamera camera,
+               const PyramidOptions& options)
+      : intensity(prepare.Intensity(finest_intensity, options.levels)),
+        depth_m(prepare.Depth(finest_depth_m, options.levels)) {
+    intensity[0] = prepare.Own(finest_intensity);
+    CpuPreparation::Wanted wanted;
+    wanted.depth = true;
+    for (std::size_t level = 0; level < depth_m.size(); ++level) {
+      auto kept = prepare.AwayFromEdges(*depth_m[level], nullptr, MarginAt(level, options), wanted);
+      depth_m[level] = std::move(kept.depth_m);
+      levels_.push_back({camera, kept.measured});
       camera = camera.Halved();
     }
   }
 
   // `other` with depths of its own.
-  CpuReference(const CpuReference& other, Pyramid depths_m)
+  CpuReference(const CpuReference& other, CpuPyramid depths_m)
       : intensity(other.intensity), depth_m(std::move(depths_m)) {
     levels_ = other.levels_;
   }
 
-  const Pyramid intensity;
-  const Pyramid depth_m;
+  CpuPyramid intensity;
+  CpuPyramid depth_m;
 };
 
 // An intensity beside a depth edge is NaN, so that nothing is compared with it.
 class CpuCurrent : public CurrentPyramid {
  public:
-  CpuCurrent(const Image<float>& finest_intensity, const Image<float>& finest_depth_m,
-             const PyramidOptions& options)
-      : intensity(IntensityPyramid(finest_intensity, options.levels)) {
+  CpuCurrent(const CpuPreparation& prepare, const Image<float>& finest_intensity,
+             const Image<float>& finest_depth_m, const PyramidOptions& options)
+      : intensity(prepare.Intensity(finest_intensity, options.levels)) {
     has_depth_ = !finest_depth_m.empty();
+    CpuPreparation::Wanted wanted;
+    wanted.inverse_depth = options.inverse_depth;
+    wanted.intensity = options.depth_edge_margin_px > 0;
+    if (!has_depth_ || !wanted.intensity) intensity[0] = prepare.Own(finest_intensity);
     if (!has_depth_) return;
-    depth_m = DepthPyramid(finest_depth_m, options.levels);
-    const Pyramid kept = EdgelessPyramid(depth_m, options.depth_edge_margin_px);
-    for (std::size_t level = 0; level < intensity.size(); ++level) {
-      if (options.inverse_depth) inverse_depth.push_back(Share(Inverse(*kept[level])));
-      if (kept[level] == depth_m[level]) continue;
-      intensity[level] = Share(WithoutEdges(*intensity[level], *depth_m[level], *kept[level]));
+    depth_m = prepare.Depth(finest_depth_m, options.levels);
+    depth_m[0] = prepare.Own(finest_depth_m);
+    for (std::size_t level = 0; level < depth_m.size(); ++level) {
+      auto kept = prepare.AwayFromEdges(*depth_m[level], intensity[level].get(),
+                                        MarginAt(level, options), wanted);
+      if (wanted.inverse_depth) inverse_depth.push_back(std::move(kept.inverse_depth));
+      if (wanted.intensity) intensity[level] = std::move(kept.intensity);
     }
   }
 
-  Pyramid intensity;
-  Pyramid depth_m;        // empty without a depth
-  Pyramid inverse_depth;  // without the edges; empty unless asked for
-
- private:
-  static Image<float> Inverse(Image<float> depth_m) {
-    ParallelFor(depth_m.height(), [&](int y) {
-      float* row = depth_m.row(y);
-      for (int x = 0; x < depth_m.width(); ++x) {
-        row[x] = IsMeasured(row[x]) ? 1 / row[x] : std::numeric_limits<float>::quiet_NaN();
-      }
-    });
-    return depth_m;
-  }
-
-  static Image<float> WithoutEdges(Image<float> values, const Image<float>& depth,
-                                   const Image<float>& kept) {
-    ParallelFor(values.height(), [&](int y) {
-      for (int x = 0; x < values.width(); ++x) {
-        const bool edge = kept(x, y) == 0 && depth(x, y) != 0;
-        values(x, y) = edge ? std::numeric_limits<float>::quiet_NaN() : values(x, y);
-      }
-    });
-    return values;
-  }
+  CpuPyramid intensity;
+  CpuPyramid depth_m;        // empty without a depth
+  CpuPyramid inverse_depth;  // without the edges; empty unless asked for
 };
 
 class CpuBackend : public Backend {
  public:
-  explicit CpuBackend(SimdLevel level) : reduction_(level) {}
+  explicit CpuBackend(SimdLevel level) : reduction_(level), preparation_(level) {}
 
   std::string name() const override { return "cpu"; }
 
@@ -130,7 +86,7 @@ class CpuBackend : public Backend {
                                                   const PyramidOptions& options) const override {
     SILT_CHECK(intensity.width() == camera.width && intensity.height() == camera.height);
     SILT_CHECK(depth_m.width() == camera.width && depth_m.height() == camera.height);
-    return std::make_unique<CpuReference>(intensity, depth_m, camera, options);
+    return std::make_unique<CpuReference>(preparation_, intensity, depth_m, camera, options);
   }
 
   std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>& intensity,
@@ -138,7 +94,7 @@ class CpuBackend : public Backend {
                                               const PyramidOptions& options) const override {
     SILT_CHECK(depth_m.empty() ||
                (depth_m.width() == intensity.width() && depth_m.height() == intensity.height()));
-    return std::make_unique<CpuCurrent>(intensity, depth_m, options);
+    return std::make_unique<CpuCurrent>(preparation_, intensity, depth_m, options);
   }
 
   std::unique_ptr<ReferencePyramid> WithoutHidden(
@@ -147,10 +103,15 @@ class CpuBackend : public Backend {
     if (!pair.current.has_depth()) {
       const Image<float> visible =
           VisibleDepth(*full.depth_m[0], full.levels()[0].camera, current_from_reference);
-      return std::make_unique<CpuReference>(full, DepthPyramid(visible, level + 1));
+      CpuPyramid depths = preparation_.Depth(visible, level + 1);
+      depths[0] = preparation_.Own(visible);
+      return std::make_unique<CpuReference>(full, std::move(depths));
     }
-    Pyramid depths = full.depth_m;
-    depths[level] = Share(reduction_.VisibleDepth(Images(pair, level), current_from_reference));
+    CpuPyramid depths = full.depth_m;
+    const LevelImages images = Images(pair, level);
+    const auto visible = preparation_.Take(images.camera.width, images.camera.height);
+    reduction_.CopyVisibleDepth(images, current_from_reference, visible.get());
+    depths[level] = visible;
     return std::make_unique<CpuReference>(full, std::move(depths));
   }
 
@@ -182,6 +143,7 @@ class CpuBackend : public Backend {
   }
 
   CpuReduction reduction_;
+  CpuPreparation preparation_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "silt/tracker/cpu_reduction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace {
 
 // Rows of a tile: the unit of work of a thread, and of the order of summation.
 constexpr int kTileRows = 8;
+// Waking another thread takes longer than the sums over so few pixels.
+constexpr int kFewPixels = 5000;
 
 simd::Kernels KernelsOf(SimdLevel level) {
 #if defined(__x86_64__)
@@ -65,20 +68,34 @@ void AddTo(Sums* total, const simd::LaneSums& tile) {
   }
 }
 
+int Tiles(const simd::LevelView& view) { return (view.height + kTileRows - 1) / kTileRows; }
+
+// Calls work(tile, begin, end) for all tiles of rows.
+template <typename Work>
+void ForTiles(const simd::LevelView& view, const Work& work) {
+  const auto tile = [&](int i) {
+    work(i, i * kTileRows, std::min(view.height, (i + 1) * kTileRows));
+  };
+  if (view.width * view.height > kFewPixels) return ParallelFor(Tiles(view), tile);
+  for (int i = 0; i < Tiles(view); ++i) tile(i);
+}
+
 // Sums over all rows: tile by tile in parallel, then the tiles in order.
 Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view) {
   Sums total{};
-  const int rows = view.height;
   // No pixel of a smaller image has four pixels around it.
-  if (view.width < 2 || rows < 2) return total;
-  std::vector<Sums> tiles((rows + kTileRows - 1) / kTileRows);
-  ParallelFor(int(tiles.size()), [&](int i) {
+  if (view.width < 2 || view.height < 2) return total;
+  // Those of usual images need no memory to be found for them.
+  std::array<Sums, 64> few{};
+  std::vector<Sums> many(Tiles(view) > int(few.size()) ? Tiles(view) : 0);
+  Sums* const tiles = many.empty() ? few.data() : many.data();
+  ForTiles(view, [&](int i, int begin, int end) {
     simd::LaneSums tile;
-    add_rows(view, i * kTileRows, std::min(rows, (i + 1) * kTileRows), &tile);
+    add_rows(view, begin, end, &tile);
     AddTo(&tiles[i], tile);
   });
-  for (const Sums& tile : tiles) {
-    for (int k = 0; k < simd::kSumCount; ++k) total[k] += tile[k];
+  for (int i = 0; i < Tiles(view); ++i) {
+    for (int k = 0; k < simd::kSumCount; ++k) total[k] += tiles[i][k];
   }
   return total;
 }
@@ -120,16 +137,14 @@ NormalEquations CpuReduction::Equations(const LevelImages& images,
   return equations;
 }
 
-Image<float> CpuReduction::VisibleDepth(const LevelImages& images,
-                                        const SE3d& current_from_reference) const {
+void CpuReduction::CopyVisibleDepth(const LevelImages& images, const SE3d& current_from_reference,
+                                    Image<float>* visible_m) const {
   SILT_CHECK(images.current_depth_m != nullptr);
   const simd::LevelView view = ViewOf(images, current_from_reference);
-  Image<float> visible(view.width, view.height);
-  ParallelFor((view.height + kTileRows - 1) / kTileRows, [&](int i) {
-    const int end = std::min(view.height, (i + 1) * kTileRows);
-    kernels_.copy_visible(view, i * kTileRows, end, visible.data());
+  SILT_CHECK(visible_m->width() == view.width && visible_m->height() == view.height);
+  ForTiles(view, [&](int, int begin, int end) {
+    kernels_.copy_visible(view, begin, end, visible_m->data());
   });
-  return visible;
 }
 
 }  // namespace silt::tracker

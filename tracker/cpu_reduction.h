@@ -31,7 +31,8 @@ class CpuReduction {
   NormalEquations Equations(const LevelImages& images, const SE3d& current_from_reference,
                             const ResidualNorm& norm = {}) const;
   // The reference's depth without what is hidden from the current camera, as its depth tells.
-  Image<float> VisibleDepth(const LevelImages& images, const SE3d& current_from_reference) const;
+  void CopyVisibleDepth(const LevelImages& images, const SE3d& current_from_reference,
+                        Image<float>* visible_m) const;
 
  private:
   simd::Kernels kernels_;

@@ -7,6 +7,7 @@
 
 #include "silt/core/color.h"
 #include "silt/core/error.h"
+#include "silt/core/parallel.h"
 #include "silt/core/pyramid.h"
 #include "silt/tracker/stopwatch.h"
 
@@ -21,36 +22,61 @@ void CheckSize(const char* what, int width, int height, const PinholeCamera& cam
               "; give images of the camera's size");
 }
 
-double MeasuredShare(const Image<float>& depth_m) {
-  if (depth_m.empty()) return 0;
-  return double(std::count_if(depth_m.begin(), depth_m.end(), IsMeasured)) / double(depth_m.size());
+// What a keyframe's images are like.
+struct ImageFacts {
+  double measured = 0;          // pixels with a depth
+  double inverse_depths = 0;    // their sum, 1/m
+  double sum = 0, squares = 0;  // of the intensity
+
+  ImageFacts& operator+=(const ImageFacts& other) {
+    measured += other.measured;
+    inverse_depths += other.inverse_depths;
+    sum += other.sum;
+    squares += other.squares;
+    return *this;
+  }
+};
+
+// Several sums side by side, so that no addition waits for the one before it.
+ImageFacts FactsOfRow(const float* intensity, const float* depth_m, int width) {
+  constexpr int kSums = 8;
+  ImageFacts sums[kSums], total;
+  for (int x = 0; x < width; ++x) {
+    ImageFacts& facts = sums[x % kSums];
+    const bool measured = IsMeasured(depth_m[x]);
+    facts.measured += measured ? 1 : 0;
+    facts.inverse_depths += measured ? 1 / double(depth_m[x]) : 0;
+    facts.sum += double(intensity[x]);
+    facts.squares += double(intensity[x]) * double(intensity[x]);
+  }
+  for (const ImageFacts& facts : sums) total += facts;
+  return total;
 }
 
-double MeanInverseDepth(const Image<float>& depth_m) {
-  double sum = 0;
-  std::size_t measured = 0;
-  for (const float z : depth_m) {
-    if (!IsMeasured(z)) continue;
-    sum += 1 / double(z);
-    ++measured;
-  }
-  return measured > 0 ? sum / double(measured) : 0;
+// Row by row in parallel, then the rows in order.
+ImageFacts FactsOf(const Image<float>& intensity, const Image<float>& depth_m) {
+  std::vector<ImageFacts> rows(std::size_t(intensity.height()));
+  ParallelFor(intensity.height(), [&](int y) {
+    rows[std::size_t(y)] = FactsOfRow(intensity.row(y), depth_m.row(y), intensity.width());
+  });
+  ImageFacts total;
+  for (const ImageFacts& row : rows) total += row;
+  return total;
 }
 
-double Variance(const Image<float>& intensity) {
-  double sum = 0, squares = 0;
-  for (float value : intensity) {
-    sum += double(value);
-    squares += double(value) * double(value);
-  }
-  const double n = double(std::max<std::size_t>(intensity.size(), 1));
-  return std::max(0.0, squares / n - (sum / n) * (sum / n));
+double MeanInverseDepth(const ImageFacts& facts) {
+  return facts.measured > 0 ? facts.inverse_depths / facts.measured : 0;
+}
+
+double Variance(const ImageFacts& facts, double pixels) {
+  const double mean = facts.sum / pixels;
+  return std::max(0.0, facts.squares / pixels - mean * mean);
 }
 
 }  // namespace
 
 KeyframeTracker::KeyframeTracker(const PinholeCamera& camera, const TrackerOptions& options,
-                                 std::unique_ptr<const Backend> backend,
+                                 std::shared_ptr<const Backend> backend,
                                  std::unique_ptr<Initializer> initializer,
                                  const SE3d& first_world_from_camera)
     : camera_(camera),
@@ -71,13 +97,13 @@ TrackedFrame KeyframeTracker::Track(const Frame& frame,
   result.time_s = frame.time_s;
   {
     const Stopwatch total(&result.times.total_ms);
-    Image<float> intensity = Gray(frame, &result);
+    MakeGray(frame, &result);
     // The first frame is the first keyframe; later ones are aligned with the nearest keyframe.
     if (!keyframes_.empty()) {
       const SE3d expected = expected_world_from_camera.value_or(Predicted(frame.time_s));
-      Localize(frame, intensity, expected, &result);
+      Localize(frame, gray_, expected, &result);
     }
-    if (NeedsNewKeyframe(result)) MakeKeyframe(frame, std::move(intensity), &result);
+    if (NeedsNewKeyframe(result)) MakeKeyframe(frame, &result);
   }
   result.world_from_camera = world_from_camera_;
   ++frame_index_;
@@ -90,9 +116,9 @@ void KeyframeTracker::CheckFrame(const Frame& frame) const {
   CheckSize("depth", frame.depth_m.width(), frame.depth_m.height(), camera_, frame_index_);
 }
 
-Image<float> KeyframeTracker::Gray(const Frame& frame, TrackedFrame* result) const {
+void KeyframeTracker::MakeGray(const Frame& frame, TrackedFrame* result) {
   const Stopwatch watch(&result->times.pyramid_ms);
-  return GrayFromRgb(frame.rgb);
+  GrayFromRgb(frame.rgb, &gray_);
 }
 
 void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity,
@@ -153,8 +179,8 @@ std::unique_ptr<CurrentPyramid> KeyframeTracker::MakeCurrent(const Frame& frame,
                                                              TrackedFrame* result) const {
   const Stopwatch watch(&result->times.pyramid_ms);
   const AlignmentOptions& alignment = options_.alignment;
-  return backend_->MakeCurrent(intensity,
-                               alignment.use_current_depth ? frame.depth_m : Image<float>{},
+  const Image<float> none;
+  return backend_->MakeCurrent(intensity, alignment.use_current_depth ? frame.depth_m : none,
                                alignment.Pyramids());
 }
 
@@ -194,20 +220,22 @@ bool KeyframeTracker::NeedsNewKeyframe(const TrackedFrame& result) const {
          NeedsKeyframe(keyframes_, world_from_camera_, options_.keyframes);
 }
 
-void KeyframeTracker::MakeKeyframe(const Frame& frame, Image<float> intensity,
-                                   TrackedFrame* result) {
-  const double measured = MeasuredShare(frame.depth_m);
+void KeyframeTracker::MakeKeyframe(const Frame& frame, TrackedFrame* result) {
+  const Stopwatch watch(&result->times.pyramid_ms);
+  const ImageFacts facts = frame.depth_m.empty() ? ImageFacts{} : FactsOf(gray_, frame.depth_m);
+  const double pixels = std::max(1.0, double(gray_.size()));
+  const double measured = facts.measured / pixels;
   if (measured < options_.keyframes.min_measured_depth || measured == 0) {
     result->message =
         "not a keyframe: " + std::to_string(int(100 * measured)) + " % of its depth is measured";
     return;
   }
-  const Stopwatch watch(&result->times.pyramid_ms);
   const int id = int(keyframes_.size());
   references_.push_back(
-      {backend_->MakeReference(intensity, frame.depth_m, camera_, options_.alignment.Pyramids()),
-       Variance(intensity), MeanInverseDepth(frame.depth_m)});
-  keyframes_.push_back({id, frame, std::move(intensity), world_from_camera_});
+      {backend_->MakeReference(gray_, frame.depth_m, camera_, options_.alignment.Pyramids()),
+       Variance(facts, pixels), MeanInverseDepth(facts)});
+  keyframes_.push_back({id, frame, std::move(gray_), world_from_camera_});
+  gray_ = {};
   result->new_keyframe = true;
   if (id == 0) {
     time_s_ = frame.time_s;

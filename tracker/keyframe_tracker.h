@@ -48,7 +48,7 @@ class KeyframeTracker {
   // No initializer: each alignment starts from the last pose. Throws silt::Error for invalid
   // options.
   KeyframeTracker(const PinholeCamera& camera, const TrackerOptions& options,
-                  std::unique_ptr<const Backend> backend, std::unique_ptr<Initializer> initializer,
+                  std::shared_ptr<const Backend> backend, std::unique_ptr<Initializer> initializer,
                   const SE3d& first_world_from_camera = {});
   ~KeyframeTracker();
 
@@ -70,7 +70,7 @@ class KeyframeTracker {
   };
 
   void CheckFrame(const Frame& frame) const;
-  Image<float> Gray(const Frame& frame, TrackedFrame* result) const;
+  void MakeGray(const Frame& frame, TrackedFrame* result);
   void Localize(const Frame& frame, const Image<float>& intensity, const SE3d& expected,
                 TrackedFrame* result);
   SE3d Predicted(double time_s) const;
@@ -83,12 +83,13 @@ class KeyframeTracker {
   void Accept(const SE3d& world_from_camera, double time_s);
   void Judge(const Reference& reference, TrackedFrame* result) const;
   bool NeedsNewKeyframe(const TrackedFrame& result) const;
-  void MakeKeyframe(const Frame& frame, Image<float> intensity, TrackedFrame* result);
+  void MakeKeyframe(const Frame& frame, TrackedFrame* result);
 
   PinholeCamera camera_;
   TrackerOptions options_;
-  std::unique_ptr<const Backend> backend_;
+  std::shared_ptr<const Backend> backend_;
   std::unique_ptr<Initializer> initializer_;
+  Image<float> gray_;  // of the current frame, in [0, 1]
   std::vector<Keyframe> keyframes_;
   std::vector<Reference> references_;  // of keyframes_
   SE3d world_from_camera_;             // of the last tracked frame
