@@ -28,6 +28,10 @@ void AddSceneCommand(CLI::App& program, const Invocation& invocation);
 void AddPathCommand(CLI::App& program, const Invocation& invocation);
 void AddInfoCommand(CLI::App& program, const Invocation& invocation);
 
+// Subcommands of `bench`.
+void AddRenderBench(CLI::App& bench, const Invocation& invocation);
+void AddTrackBench(CLI::App& bench, const Invocation& invocation);
+
 // Subcommands of `experiment`.
 void AddAblationExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddAccuracyExperiment(CLI::App& experiments, const Invocation& invocation);

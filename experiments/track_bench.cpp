@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/experiments/track_bench.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "silt/core/color.h"
+#include "silt/core/error.h"
+#include "silt/core/parallel.h"
+#include "silt/experiments/interrupt.h"
+#include "silt/experiments/opencv_odometry.h"
+#include "silt/experiments/pose_difference.h"
+#include "silt/experiments/progress.h"
+#include "silt/experiments/tracker_options.h"
+#include "silt/experiments/tracker_setup.h"
+#include "silt/tracker/stopwatch.h"
+
+namespace silt::experiments {
+namespace {
+
+using Backend = std::shared_ptr<const tracker::Backend>;
+
+struct Method {
+  MethodRuns runs;
+  std::function<PairRun(const FramePair&)> run;
+};
+
+void SetError(const SE3d& found, const SE3d& truth, PairRun* run) {
+  const PoseDifference error = Difference(found, truth);
+  run->t_mm = 1000 * error.distance_m;
+  run->r_deg = error.angle_deg;
+}
+
+double PixelIterations(const tracker::AlignmentResult& alignment) {
+  double sum = 0;
+  for (const tracker::AlignmentLevel& level : alignment.levels) {
+    sum += double(level.iterations) * level.width * level.height;
+  }
+  return sum;
+}
+
+PairRun RunPreset(const std::string& preset, const Backend& backend, const FramePair& pair) {
+  tracker::KeyframeTracker tracker(pair.camera, PresetOptions(preset), backend,
+                                   MakeInitializer("sparse"));
+  const tracker::TrackedFrame first = tracker.Track(pair.reference);
+  const tracker::TrackedFrame tracked = tracker.Track(pair.current, SE3d{});
+  PairRun run;
+  run.found = tracked.status == tracker::TrackingStatus::kTracked;
+  run.milliseconds = first.times.total_ms + tracked.times.total_ms;
+  run.stages = tracked.times;
+  run.keyframe_ms = first.times.total_ms;
+  run.pixel_iterations = PixelIterations(tracked.alignment);
+  SetError(run.found ? tracked.alignment.current_from_reference : SE3d{},
+           pair.current_from_reference, &run);
+  return run;
+}
+
+PairRun RunOpenCv(const OpenCvOdometry& odometry, OpenCvOdometry::Kind kind,
+                  const FramePair& pair) {
+  const OdometryRun found = odometry.Run(pair, kind);
+  PairRun run;
+  run.found = found.found;
+  run.milliseconds = found.milliseconds;
+  SetError(found.current_from_reference, pair.current_from_reference, &run);
+  return run;
+}
+
+Method MakeMethod(const std::string& name, bool has_stages,
+                  std::function<PairRun(const FramePair&)> run) {
+  Method method;
+  method.runs.name = name;
+  method.runs.has_stages = has_stages;
+  method.run = std::move(run);
+  return method;
+}
+
+std::vector<Method> Methods(const Backend& backend) {
+  std::vector<Method> methods;
+  for (const std::string preset : {"fast", "accurate"}) {
+    methods.push_back(MakeMethod(
+        preset, true, [=](const FramePair& pair) { return RunPreset(preset, backend, pair); }));
+  }
+  const std::optional<OpenCvOdometry> odometry = OpenCvOdometry::Load();
+  if (!odometry) return methods;
+  using Kind = OpenCvOdometry::Kind;
+  const auto add = [&](const std::string& name, Kind kind) {
+    methods.push_back(MakeMethod(name, false, [=, odometry = *odometry](const FramePair& pair) {
+      return RunOpenCv(odometry, kind, pair);
+    }));
+  };
+  add("opencv_rgbd", Kind::kRgbd);
+  add("opencv_rgbd_icp", Kind::kRgbdIcp);
+  return methods;
+}
+
+// Every method on every pair, and again: the fastest runs.
+void RunAll(const std::vector<BenchPair>& pairs, int repeats,
+            std::vector<PairRun> MethodRuns::*runs, std::vector<Method>* methods,
+            Progress* progress) {
+  for (Method& method : *methods) {
+    PairRun slowest;
+    slowest.milliseconds = std::numeric_limits<double>::infinity();
+    (method.runs.*runs).assign(pairs.size(), slowest);
+  }
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      for (Method& method : *methods) {
+        ThrowIfInterrupted();
+        const PairRun run = method.run(pairs[i].frames);
+        PairRun& fastest = (method.runs.*runs)[i];
+        if (run.milliseconds < fastest.milliseconds) fastest = run;
+        progress->Advance(1, method.runs.name);
+      }
+    }
+  }
+}
+
+double LeastMilliseconds(int calls, const std::function<void()>& call) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < calls; ++i) {
+    double ms = 0;
+    {
+      const tracker::Stopwatch watch(&ms);
+      call();
+    }
+    least = std::min(least, ms);
+  }
+  return least;
+}
+
+// With bounds such as `fast` has them: what they are does not change the time.
+FusedPass MeasureFusedPass(const Backend& backend, const FramePair& pair, int calls) {
+  tracker::PyramidOptions pyramid = PresetOptions("fast").alignment.Pyramids();
+  pyramid.levels = 1;
+  const auto reference = backend->MakeReference(GrayFromRgb(pair.reference.rgb),
+                                                pair.reference.depth_m, pair.camera, pyramid);
+  const auto current =
+      backend->MakeCurrent(GrayFromRgb(pair.current.rgb), pair.current.depth_m, pyramid);
+  const auto time = [&](const tracker::ResidualNorm& norm) {
+    return LeastMilliseconds(calls, [&] {
+      (void)backend->Linearize({*reference, *current}, 0, pair.current_from_reference, norm);
+    });
+  };
+  tracker::ResidualNorm robust;
+  robust.intensity = {8.0 / 255, 5.0 / 255, 1};
+  tracker::ResidualNorm with_depth = robust;
+  with_depth.inverse_depth.scale = 1e-3;
+  with_depth.use_depth = true;
+  return {time({}), time(robust), time(with_depth)};
+}
+
+}  // namespace
+
+Json TrackBenchOptions::ToJson() const {
+  return {{"backend", backend}, {"repeats", repeats}, {"threads", threads}};
+}
+
+TrackBench MeasureTracking(std::vector<BenchPair> pairs, const TrackBenchOptions& options) {
+  SILT_CHECK(!pairs.empty() && options.repeats >= 1 && options.threads >= 1);
+  const int threads_before = ThreadCount();
+  const Backend backend = MakeBackend(options.backend);
+  std::vector<Method> methods = Methods(backend);
+  Progress progress(2.0 * options.repeats * double(pairs.size() * methods.size()));
+  TrackBench bench;
+  bench.threads = options.threads;
+  SetThreadCount(1);
+  bench.fused_pass = MeasureFusedPass(backend, pairs.front().frames, 5 * options.repeats);
+  RunAll(pairs, options.repeats, &MethodRuns::one_thread, &methods, &progress);
+  SetThreadCount(options.threads);
+  RunAll(pairs, options.repeats, &MethodRuns::threads, &methods, &progress);
+  SetThreadCount(threads_before);
+  for (Method& method : methods) bench.methods.push_back(std::move(method.runs));
+  bench.pairs = std::move(pairs);
+  return bench;
+}
+
+}  // namespace silt::experiments
