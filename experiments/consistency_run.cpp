@@ -101,6 +101,7 @@ const std::vector<ConsistencyCase>& ConsistencyCases() {
       {"4 spp, float", 4, PixelPattern::kShared, PixelFilter::kBox, false},
       {"4 spp, float, scrambled", 4, PixelPattern::kScrambled, PixelFilter::kBox, false},
       {"64 spp, 8 bits", 64},
+      {"64 spp, 8 bits, gaussian", 64, PixelPattern::kShared, PixelFilter::kGaussian},
       {"64 spp, float", 64, PixelPattern::kShared, PixelFilter::kBox, false},
       {"64 spp, float, scrambled", 64, PixelPattern::kScrambled, PixelFilter::kBox, false},
       {"64 spp, float, gaussian", 64, PixelPattern::kShared, PixelFilter::kGaussian, false}};

@@ -5,38 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "silt/experiments/spline_image.h"
+
 namespace silt::experiments {
 namespace {
 
 constexpr double kSameSurface = 0.02;  // of the depth: between neighbours on one surface
 constexpr double kInBetween_m = 1e-3;  // nearer things hide the point
 
-// Weights of four values about a place `t` of the way from the second to the third (Keys, a = −½).
-struct CubicWeights {
-  double w[4];
-
-  explicit CubicWeights(double t) {
-    w[0] = ((-0.5 * t + 1) * t - 0.5) * t;
-    w[1] = (1.5 * t - 2.5) * t * t + 1;
-    w[2] = ((-1.5 * t + 2) * t + 0.5) * t;
-    w[3] = (0.5 * t - 0.5) * t * t;
-  }
-};
-
-// (u, v) at least a pixel from the border.
-double Cubic(const Image<float>& image, double u, double v) {
-  const int x = int(u), y = int(v);
-  const CubicWeights across(u - x), down(v - y);
-  double sum = 0;
-  for (int j = 0; j < 4; ++j) {
-    double row = 0;
-    for (int i = 0; i < 4; ++i) row += across.w[i] * double(image(x - 1 + i, y - 1 + j));
-    sum += down.w[j] * row;
-  }
-  return sum;
-}
-
-// Whether all values that a cubic look-up at (u, v) reads lie on the surface at depth z.
+// Whether the sixteen pixels next to (u, v) lie on the surface at depth z.
 bool OnOneSurface(const Image<float>& depth_m, double u, double v, double z) {
   for (int j = -1; j <= 2; ++j) {
     for (int i = -1; i <= 2; ++i) {
@@ -52,6 +29,7 @@ bool OnOneSurface(const Image<float>& depth_m, double u, double v, double z) {
 PhotoDifferences ComparePictures(const PinholeCamera& camera, const TrueView& onto,
                                  const TrueView& from) {
   PhotoDifferences differences;
+  const SplineImage from_luma(from.luma);
   const SE3d from_onto = from.world_from_camera.Inverse() * onto.world_from_camera;
   for (int y = 1; y + 1 < camera.height; ++y) {
     for (int x = 1; x + 1 < camera.width; ++x) {
@@ -68,7 +46,7 @@ PhotoDifferences ComparePictures(const PinholeCamera& camera, const TrueView& on
         continue;
       }
       const auto difference =
-          float(std::abs(Cubic(from.luma, there.x, there.y) - double(onto.luma(x, y))));
+          float(std::abs(from_luma.At(there.x, there.y) - double(onto.luma(x, y))));
       differences.all.push_back(difference);
       const double gradient = 0.5 * std::hypot(onto.luma(x + 1, y) - onto.luma(x - 1, y),
                                                onto.luma(x, y + 1) - onto.luma(x, y - 1));

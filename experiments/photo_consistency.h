@@ -22,8 +22,8 @@ struct TrueView {
   SE3d world_from_camera;
 };
 
-// |ΔI| in levels of every pixel of `onto` that `from` shows too, where `from` is looked up by cubic
-// convolution at the place that depth and poses give.
+// |ΔI| in levels of every pixel of `onto` that `from` shows too, where `from` is looked up by its
+// cubic spline at the place that depth and poses give.
 struct PhotoDifferences {
   std::vector<float> all;
   std::vector<float> at_gradients;  // where |∇I| is 0.5 to 2 levels per pixel

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "silt/sim/geometry_pass.h"
 
+#include <algorithm>
+#include <type_traits>
+
 #include "silt/sim/image_tiles.h"
 
 namespace silt::sim {
@@ -31,20 +34,24 @@ class PlaneInView {
   Vec3f normal_;
 };
 
-struct CentreHit {
+// Neighbours in a row that see one surface.
+struct HitRun {
+  int x, y;
   const SurfacePlane& plane;
-  float depth_m;
+  const float* depth_m;
   Vec3f normal_camera;
 };
 
-// Calls visit(x, y, hit) for the pixels of a block that see something.
+bool AllMeetOneTriangle(const HitPacket& hits) {
+  std::uint32_t differences = 0;
+  for (int i = 0; i < kPacketSize; ++i) differences |= hits.triangle[i] ^ hits.triangle[0];
+  return differences == 0 && hits.triangle[0] != kNoTriangle;
+}
+
+// A block of pixels of which each sees something of its own.
 template <typename Visit>
-void VisitBlock(const LitScene& lit, const CentreRays& centre_rays, const Vec2<int>& corner,
-                const Visit& visit) {
-  RayPacket rays;
-  centre_rays.Fill(corner.x, corner.y, rays);
-  HitPacket hits;
-  lit.tracer().TraceCoherent(rays, hits);
+void VisitPixels(const LitScene& lit, const CentreRays& centre_rays, const Vec2<int>& corner,
+                 const HitPacket& hits, const Visit& visit) {
   for (const std::uint32_t triangle : hits.triangle) {
     if (triangle != kNoTriangle) __builtin_prefetch(&lit.plane(triangle));
   }
@@ -64,18 +71,51 @@ void VisitBlock(const LitScene& lit, const CentreRays& centre_rays, const Vec2<i
       known_row = y;
     }
     const double slope = in_view.Slope(row.PinholePixel(x, y)), z = in_view.Depth(slope);
-    const bool good = z > 0 && z < double(RayPacket::kFar);
-    visit(x, y,
-          CentreHit{plane, good ? float(z) : hits.distance[i],
-                    slope < 0 ? in_view.normal() : -in_view.normal()});
+    const float depth_m = z > 0 && z < double(RayPacket::kFar) ? float(z) : hits.distance[i];
+    visit(HitRun{x, y, plane, &depth_m, slope < 0 ? in_view.normal() : -in_view.normal()},
+          std::integral_constant<int, 1>());
   }
 }
 
-// Calls visit(x, y, hit) for every pixel that sees something, in parallel.
+// A block of pixels that all see one triangle: the same, in rows.
 template <typename Visit>
-void ForEachHit(const LitScene& lit, const CentreRays& rays, const Visit& visit) {
-  ForEachTile(rays.camera().width, rays.camera().height, [&](const ImageTile& tile) {
-    ForEachBlock(tile, [&](int x, int y) { VisitBlock(lit, rays, {x, y}, visit); });
+void VisitPlane(const LitScene& lit, const CentreRays& centre_rays, const Vec2<int>& corner,
+                const HitPacket& hits, const Visit& visit) {
+  constexpr int kBlock = CameraRays::kBlock;
+  const SurfacePlane& plane = lit.plane(hits.triangle[0]);
+  PlaneInView in_view;
+  for (int j = 0; j < kBlock; ++j) {
+    const int y = corner.y + j;
+    const CameraRays& row = centre_rays.OfRow(y);
+    if (j == 0 || centre_rays.rolling()) in_view.Set(plane, row, centre_rays.RotationOfRow(y));
+    double slope[kBlock];
+    for (int i = 0; i < kBlock; ++i) slope[i] = in_view.Slope(row.PinholePixel(corner.x + i, y));
+    float depth_m[kBlock];
+    for (int i = 0; i < kBlock; ++i) {
+      const double z = in_view.Depth(slope[i]);
+      depth_m[i] = z > 0 && z < double(RayPacket::kFar) ? float(z) : hits.distance[kBlock * j + i];
+    }
+    visit(HitRun{corner.x, y, plane, depth_m, slope[0] < 0 ? in_view.normal() : -in_view.normal()},
+          std::integral_constant<int, kBlock>());
+  }
+}
+
+// Calls visit(run, its length) for all pixels that see something, in parallel.
+template <typename Visit>
+void ForEachHit(const LitScene& lit, const CentreRays& centre_rays, const Visit& visit) {
+  const PinholeCamera& camera = centre_rays.camera();
+  ForEachTile(camera.width, camera.height, [&](const ImageTile& tile) {
+    RayPacket rays;
+    HitPacket hits;
+    ForEachBlock(tile, [&](int x, int y) {
+      centre_rays.Fill(x, y, rays);
+      lit.tracer().TraceCoherent(rays, hits);
+      if (AllMeetOneTriangle(hits)) {
+        VisitPlane(lit, centre_rays, {x, y}, hits, visit);
+      } else {
+        VisitPixels(lit, centre_rays, {x, y}, hits, visit);
+      }
+    });
   });
 }
 
@@ -85,18 +125,20 @@ GeometryBuffers TraceGeometry(const LitScene& lit, const CentreRays& rays) {
   const int width = rays.camera().width, height = rays.camera().height;
   GeometryBuffers buffers{Image<float>(width, height), Image<Vec3f>(width, height),
                           Image<std::uint32_t>(width, height), Image<std::uint32_t>(width, height)};
-  ForEachHit(lit, rays, [&](int x, int y, const CentreHit& hit) {
-    buffers.depth_m(x, y) = hit.depth_m;
-    buffers.normal_camera(x, y) = hit.normal_camera;
-    buffers.instance(x, y) = hit.plane.instance;
-    buffers.material(x, y) = hit.plane.material;
+  ForEachHit(lit, rays, [&](const HitRun& run, auto length) {
+    std::copy_n(run.depth_m, length(), &buffers.depth_m(run.x, run.y));
+    std::fill_n(&buffers.normal_camera(run.x, run.y), length(), run.normal_camera);
+    std::fill_n(&buffers.instance(run.x, run.y), length(), run.plane.instance);
+    std::fill_n(&buffers.material(run.x, run.y), length(), run.plane.material);
   });
   return buffers;
 }
 
 Image<float> TraceDepth(const LitScene& lit, const CentreRays& rays) {
   Image<float> depth_m(rays.camera().width, rays.camera().height);
-  ForEachHit(lit, rays, [&](int x, int y, const CentreHit& hit) { depth_m(x, y) = hit.depth_m; });
+  ForEachHit(lit, rays, [&](const HitRun& run, auto length) {
+    std::copy_n(run.depth_m, length(), &depth_m(run.x, run.y));
+  });
   return depth_m;
 }
 

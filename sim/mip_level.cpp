@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "silt/core/color.h"
 
@@ -22,13 +23,23 @@ std::array<std::uint16_t, 256> LinearTable() {
 // By byte. Distinct: even the darkest bytes lie 20 apart.
 const std::array<std::uint16_t, 256> kLinear = LinearTable();
 
+// By linear value, the byte whose encoding is nearest: from the middle between two bytes, which is
+// LinearFromSrgb of theirs, upwards the higher one.
+std::vector<std::uint8_t> EncodedTable() {
+  const auto middle_above = [](int code) {
+    return 65535 * LinearFromSrgb((float(code) + 0.5f) / 255);
+  };
+  std::vector<std::uint8_t> table;
+  for (int code = 0; code < 255; ++code) {
+    while (float(table.size()) < middle_above(code)) table.push_back(std::uint8_t(code));
+  }
+  table.resize(65536, 255);
+  return table;
+}
+
 std::uint8_t EncodedByte(std::uint16_t linear) {
-  const auto above = std::lower_bound(kLinear.begin(), kLinear.end(), linear);
-  if (above == kLinear.begin()) return 0;
-  const auto code = std::uint8_t(above - kLinear.begin());
-  // The nearest in the encoding, whose middle between two bytes is LinearFromSrgb of theirs.
-  const float middle = 65535 * LinearFromSrgb((float(code) - 0.5f) / 255);
-  return float(linear) < middle ? std::uint8_t(code - 1) : code;
+  static const std::vector<std::uint8_t> table = EncodedTable();
+  return table[linear];
 }
 
 // The source texels under one texel of the next level, along one axis: `size` texels become

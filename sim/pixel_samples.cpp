@@ -32,7 +32,10 @@ std::uint32_t OwenScrambled(std::uint32_t reversed, std::uint32_t seed) {
   return Reversed(x);
 }
 
-constexpr double kSigma = 0.5, kCutoff = 1.5;  // of the Gaussian, in pixels
+// Of the shortest wave that pixels can tell, two of them long, this Gaussian leaves
+// exp(−2π²σ²/4) = 17 %, the box 64 %: frames warped onto each other agree the better for it (silt
+// experiment photo-consistency).
+constexpr double kSigma = 0.6, kCutoff = 1.8;  // of the Gaussian, in pixels
 constexpr int kQuantiles = 1 << 12;
 
 }  // namespace

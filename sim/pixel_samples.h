@@ -21,7 +21,7 @@ enum class PixelPattern {
 };
 
 // What a sample is weighted with, as a function of its place relative to the pixel's centre: the
-// pixel itself, or a Gaussian of σ = ½ pixel, cut off at 1½ pixels. Samples are laid where the
+// pixel itself, or a Gaussian of σ = 0.6 pixels, cut off at 3σ. Samples are laid where the
 // weight is, and count alike.
 enum class PixelFilter { kBox, kGaussian };
 

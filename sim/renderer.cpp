@@ -13,6 +13,15 @@
 
 namespace silt::sim {
 
+namespace {
+
+// Asks for no more than depth.
+bool MeasuresTruth(const DepthSensorOptions& sensor) {
+  return sensor.model == "perfect" && sensor.dropouts.AreNone();
+}
+
+}  // namespace
+
 void RenderOptions::Validate() const {
   const auto require = [](bool good, const char* what) {
     if (!good) throw Error(std::string("render options: ") + what);
@@ -96,7 +105,9 @@ Image<float> Renderer::MeasureDepth(const GeometryBuffers& truth, const NoiseKey
 Frame Renderer::Render(const PoseAtTime& world_from_camera, double time_s, int frame_index) const {
   const NoiseKey key{options_.seed, std::uint32_t(frame_index)};
   return {time_s, Develop(RenderLinear(world_from_camera, time_s, frame_index), key),
-          MeasureDepth(RenderGeometry(world_from_camera, time_s), key)};
+          MeasuresTruth(options_.depth_sensor)
+              ? RenderDepth(world_from_camera, time_s)
+              : MeasureDepth(RenderGeometry(world_from_camera, time_s), key)};
 }
 
 }  // namespace silt::sim

@@ -114,10 +114,10 @@ TEST(PixelSamples, ScrambledOnesCoverThePixelEvenly) {
 TEST(PixelSamples, QuantilesAreThoseOfACutOffGaussian) {
   EXPECT_NEAR(GaussianQuantile(0.5), 0, 1e-12);
   // Φ(1) = 0.8413, Φ(−3) = 0.00135: (0.8413 − 0.00135)/(1 − 2·0.00135).
-  EXPECT_NEAR(GaussianQuantile(0.842273), 0.5, 1e-5);
-  EXPECT_NEAR(GaussianQuantile(0.157727), -0.5, 1e-5);
-  EXPECT_NEAR(GaussianQuantile(1e-12), -1.5, 1e-6);
-  EXPECT_NEAR(GaussianQuantile(1 - 1e-12), 1.5, 1e-6);
+  EXPECT_NEAR(GaussianQuantile(0.842273), 0.6, 1e-5);
+  EXPECT_NEAR(GaussianQuantile(0.157727), -0.6, 1e-5);
+  EXPECT_NEAR(GaussianQuantile(1e-12), -1.8, 1e-6);
+  EXPECT_NEAR(GaussianQuantile(1 - 1e-12), 1.8, 1e-6);
 }
 
 double Variance(const std::vector<PixelSample>& samples) {
@@ -126,11 +126,11 @@ double Variance(const std::vector<PixelSample>& samples) {
   return sum;
 }
 
-// Of a uniform pixel 1/12, of σ = ½ cut off at 3σ 0.9733·¼.
+// Of a uniform pixel 1/12, of σ = 0.6 cut off at 3σ 0.9733·0.36.
 TEST(PixelSamples, HaveTheVarianceOfTheirFilter) {
   EXPECT_NEAR(Variance(SharedSamples(256, PixelFilter::kBox)), 1.0 / 12, 1e-3);
-  EXPECT_NEAR(Variance(SharedSamples(256, PixelFilter::kGaussian)), 0.2433, 5e-3);
-  EXPECT_NEAR(Variance(Scrambled(4096, 5, PixelFilter::kGaussian)), 0.2433, 5e-3);
+  EXPECT_NEAR(Variance(SharedSamples(256, PixelFilter::kGaussian)), 0.3504, 5e-3);
+  EXPECT_NEAR(Variance(Scrambled(4096, 5, PixelFilter::kGaussian)), 0.3504, 5e-3);
 }
 
 }  // namespace
