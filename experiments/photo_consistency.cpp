@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSameSurface = 0.02;  // of the depth: between neighbours on one surface
 constexpr double kInBetween_m = 1e-3;  // nearer things hide the point
+constexpr int kMargin = 5;             // of pixels, in which a spline feels the picture's end
 
 // Whether the sixteen pixels next to (u, v) lie on the surface at depth z.
 bool OnOneSurface(const Image<float>& depth_m, double u, double v, double z) {
@@ -37,8 +38,9 @@ PhotoDifferences ComparePictures(const PinholeCamera& camera, const TrueView& on
       if (!(z > 0)) continue;
       const Vec3d point = from_onto * camera.Unproject(x, y, z);
       const Vec2d there = camera.Project(point);
-      const bool inside = point.z > 0 && there.x >= 1 && there.y >= 1 &&
-                          there.x < camera.width - 2 && there.y < camera.height - 2;
+      const bool inside = point.z > 0 && there.x >= kMargin && there.y >= kMargin &&
+                          there.x < camera.width - 1 - kMargin &&
+                          there.y < camera.height - 1 - kMargin;
       if (!inside || !OnOneSurface(from.depth_m, there.x, there.y, point.z) ||
           !OnOneSurface(onto.depth_m, std::min(x, camera.width - 3), std::min(y, camera.height - 3),
                         z)) {

@@ -9,13 +9,20 @@ namespace silt::sim {
 
 namespace {
 
-std::size_t Hash(const SampleIndex::Key& key) {
+std::uint64_t Hash(const SampleIndex::Key& key) {
   std::uint64_t hash = 0;
   for (const std::int32_t k : key) {
     hash = (hash ^ std::uint32_t(k)) * 0x9e3779b97f4a7c15u;
     hash ^= hash >> 29;
   }
-  return std::size_t(hash);
+  return hash;
+}
+
+// A loop that is no call, unlike std::array's own.
+bool AreSame(const SampleIndex::Key& a, const SampleIndex::Key& b) {
+  std::int32_t difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) difference |= a[i] ^ b[i];
+  return difference == 0;
 }
 
 }  // namespace
@@ -25,16 +32,20 @@ SampleIndex::SampleIndex(std::size_t expected) {
   Rehash(std::bit_ceil(2 * expected + 2));
 }
 
-// Where the key is, or where it belongs.
-std::size_t SampleIndex::SlotOf(const Key& key) const {
+// Where the key is, or where it belongs: then it is left there with its tag.
+SampleIndex::Slot& SampleIndex::SlotOf(const Key& key) {
+  const std::uint64_t hash = Hash(key);
+  const auto tag = std::uint32_t(hash >> 32);
   const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = Hash(key) & mask;
-  while (slots_[slot] != kFree && keys_[slots_[slot]] != key) slot = (slot + 1) & mask;
-  return slot;
+  for (std::size_t i = std::size_t(hash) & mask;; i = (i + 1) & mask) {
+    Slot& slot = slots_[i];
+    if (slot.number == kFree) slot.tag = tag;
+    if (slot.number == kFree || (slot.tag == tag && AreSame(keys_[slot.number], key))) return slot;
+  }
 }
 
 std::uint32_t SampleIndex::NumberOf(const Key& key) {
-  std::uint32_t& number = slots_[SlotOf(key)];
+  std::uint32_t& number = SlotOf(key).number;
   if (number != kFree) return number;
   number = std::uint32_t(keys_.size());
   keys_.push_back(key);
@@ -43,8 +54,10 @@ std::uint32_t SampleIndex::NumberOf(const Key& key) {
 }
 
 void SampleIndex::Rehash(std::size_t slots) {
-  slots_.assign(slots, kFree);
-  for (std::size_t i = 0; i < keys_.size(); ++i) slots_[SlotOf(keys_[i])] = std::uint32_t(i);
+  slots_.assign(slots, Slot{});
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    SlotOf(keys_[i]).number = std::uint32_t(i);
+  }
 }
 
 }  // namespace silt::sim

@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+
+#include "silt/sim/huge_pages.h"
 
 namespace silt::sim {
 
@@ -23,12 +24,16 @@ class SampleIndex {
 
  private:
   static constexpr std::uint32_t kFree = 0xffffffffu;
+  // Part of the key's hash, for which most other keys need not be looked at.
+  struct Slot {
+    std::uint32_t number = kFree, tag = 0;
+  };
 
-  std::size_t SlotOf(const Key& key) const;
+  Slot& SlotOf(const Key& key);
   void Rehash(std::size_t slots);
 
-  std::vector<Key> keys_;             // by number
-  std::vector<std::uint32_t> slots_;  // numbers; a power of two, at least twice as many as keys
+  HugePageVector<Key> keys_;    // by number
+  HugePageVector<Slot> slots_;  // a power of two, at least twice as many as keys
 };
 
 }  // namespace silt::sim

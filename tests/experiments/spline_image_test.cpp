@@ -6,8 +6,7 @@
 
 #include <cmath>
 #include <numbers>
-
-#include "silt/core/error.h"
+#include <stdexcept>
 
 namespace silt::experiments {
 namespace {
@@ -45,7 +44,9 @@ TEST(SplineImage, IsCloserToWavesThanCubicConvolution) {
   for (double u = 30; u < 60; u += 0.37) EXPECT_NEAR(spline.At(u, 3.5), wave(u, 0), 5e-3) << u;
 }
 
-TEST(SplineImage, NeedsTwoPixelsEachWay) { EXPECT_THROW(SplineImage{Image<float>(1, 5)}, Error); }
+TEST(SplineImage, NeedsTwoPixelsEachWay) {
+  EXPECT_THROW(SplineImage{Image<float>(1, 5)}, std::logic_error);
+}
 
 }  // namespace
 }  // namespace silt::experiments

@@ -144,8 +144,8 @@ TEST(RendererShutter, AGaussianIsWiderThanTheBox) {
   const Image<Vec3f> box = image(PixelFilter::kBox), gaussian = image(PixelFilter::kGaussian);
   EXPECT_EQ(box(31, 5).x, 0);
   EXPECT_EQ(box(32, 5).x, 1);
-  EXPECT_NEAR(gaussian(32, 5).x, 0.842, 0.03);  // see GaussianQuantile: half a pixel is one σ
-  EXPECT_NEAR(gaussian(31, 5).x, 0.158, 0.03);
+  EXPECT_NEAR(gaussian(32, 5).x, 0.798, 0.03);  // half a pixel is σ/1.2: (Φ(0.833) − Φ(−3))/0.9973
+  EXPECT_NEAR(gaussian(31, 5).x, 0.202, 0.03);
 }
 
 }  // namespace
