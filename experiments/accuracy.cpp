@@ -146,7 +146,8 @@ AccuracyResult RunAccuracy(const AccuracyOptions& options) {
     result.plans.push_back(PlanFor(options, blurred));
     ForEachFrame(world, result.plans.back(), [&](const RenderedFrame& rendered) {
       for (OpenRun& open : runs) {
-        if (TakesPart(open.run, blurred, rendered)) open.tracking->Track(rendered.frame);
+        if (TakesPart(open.run, blurred, rendered))
+          open.tracking->Track(rendered.frame, rendered.truth.world_from_camera);
       }
       const std::string name = blurred ? "60fps-blur" : "60fps";
       const bool first_seed = !blurred || rendered.seed == options.seed;

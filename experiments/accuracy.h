@@ -22,7 +22,7 @@ struct AccuracyOptions {
   int seeds = 1;  // noises and random draws, from `seed` on
   std::uint64_t seed = 0;
   std::vector<std::string> presets = {"paper"};
-  std::string backend = "cpu", initializer = "sparse";
+  std::string backend = "cpu", initializer = "auto";
   std::string depth_sensor = "perfect";  // a model of sim/depth_sensor.h
 
   Json ToJson() const;

@@ -102,7 +102,8 @@ void AddOptions(CLI::App& command, Options& o) {
           "accurate:joint=1")
       ->capture_default_str();
   command.add_option("--backend", o.accuracy.backend, kBackendHelp)->capture_default_str();
-  command.add_option("--init", o.accuracy.initializer, "sparse or previous")->capture_default_str();
+  command.add_option("--init", o.accuracy.initializer, "Where alignments start, as of silt track")
+      ->capture_default_str();
   command
       .add_option("--depth-sensor", o.accuracy.depth_sensor,
                   "Depth: perfect, png16, kinect, kinect-legacy, khoshelham or nguyen")

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "silt/core/atomic_file.h"
 #include "silt/core/parallel.h"
@@ -15,11 +16,13 @@
 #include "silt/experiments/figures.h"
 #include "silt/experiments/interrupt.h"
 #include "silt/experiments/manifest.h"
+#include "silt/experiments/odometry_trial.h"
 #include "silt/experiments/option_checks.h"
 #include "silt/experiments/output.h"
 #include "silt/experiments/output_folder.h"
 #include "silt/experiments/pair_rendering.h"
 #include "silt/experiments/progress.h"
+#include "silt/experiments/recovery.h"
 #include "silt/experiments/tracker_setup.h"
 
 namespace silt::experiments {
@@ -33,6 +36,8 @@ constexpr int kFullResolutionShare = 4;
 struct Options {
   ExperimentBasics basics;
   int image = 1, pairs = 0, starts = 0;
+  int recovery_pairs = 0, trials = -1;
+  RecoveryOptions recovery{{}, -1, -1, 0};  // nothing chosen
 };
 
 struct Series {
@@ -56,23 +61,65 @@ Options Resolved(const Options& options) {
   o.basics = options.basics.Resolved();
   if (o.pairs == 0) o.pairs = o.basics.quick ? 1 : 3;
   if (o.starts == 0) o.starts = o.basics.quick ? 4 : 8;
+  if (o.recovery_pairs == 0) o.recovery_pairs = o.basics.quick ? 2 : 10;
+  if (o.recovery.presets.empty()) o.recovery.presets = RecoveryOptions().presets;
+  if (o.recovery.starts < 0) o.recovery.starts = o.basics.quick ? 4 : 1000;
+  if (o.recovery.comparison < 0) o.recovery.comparison = std::min(100, o.recovery.starts / 2);
+  if (o.trials < 0) o.trials = o.basics.quick ? 2 : 100;
+  o.recovery.seed = o.basics.seed;
   return o;
 }
 
 // The first starts at the chosen image, the paper's being 1; the others at equal distances along
 // the path.
+std::vector<FramePair> RenderPairs(const Options& options, const World& world, int count) {
+  std::vector<FramePair> pairs;
+  const double step_s = (world.path.duration_s() - kPairGap_s) / count;
+  for (int i = 0; i < count; ++i) {
+    ThrowIfInterrupted();
+    const double start_s = i == 0 ? (options.image - 1) / kFps : i * step_s;
+    pairs.push_back(
+        RenderPair(world, options.basics.Rendering(false), start_s, start_s + kPairGap_s));
+  }
+  return pairs;
+}
+
 std::vector<PairAlignment> MakePairs(const Options& options, const World& world,
                                      const tracker::Backend& backend) {
   std::vector<PairAlignment> pairs;
-  const double step_s = (world.path.duration_s() - kPairGap_s) / options.pairs;
-  for (int i = 0; i < options.pairs; ++i) {
-    ThrowIfInterrupted();
-    const double start_s = i == 0 ? (options.image - 1) / kFps : i * step_s;
-    const FramePair pair =
-        RenderPair(world, options.basics.Rendering(false), start_s, start_s + kPairGap_s);
+  for (const FramePair& pair : RenderPairs(options, world, options.pairs)) {
     pairs.emplace_back(backend, pair, PyramidScheme().levels());
   }
   return pairs;
+}
+
+// Of the first reference frame, both warped and rendered anew.
+std::vector<OdometryTrial> RunTrials(const Options& options, const World& world,
+                                     const tracker::Backend& backend) {
+  const sim::RenderOptions rendering = options.basics.Rendering(false);
+  const sim::Renderer renderer(world.scene, rendering);
+  const double time_s = (options.image - 1) / kFps;
+  const SE3d world_from_frame = world.path.WorldFromCamera(time_s);
+  const auto rendered = [&](const SE3d& current_from_frame) {
+    const SE3d pose = world_from_frame * current_from_frame.Inverse();
+    return renderer.Render([&](double) { return pose; }, time_s, 0);
+  };
+  const Frame frame = rendered(SE3d{});
+  const auto warped = [&](const SE3d& current_from_frame) {
+    return ForwardWarp(frame, rendering.camera, current_from_frame);
+  };
+  std::vector<OdometryTrial> trials;
+  Progress progress(2 * double(options.recovery.presets.size()));
+  for (const std::string& preset : options.recovery.presets) {
+    for (const auto& [name, moved] : {std::pair<const char*, MovedFrame>{"warped", warped},
+                                      std::pair<const char*, MovedFrame>{"rendered", rendered}}) {
+      trials.push_back(RunTrial(frame, rendering.camera, moved, preset, backend, options.trials,
+                                options.basics.seed));
+      trials.back().current = name;
+      progress.Advance(1, std::string("small motions, ") + name);
+    }
+  }
+  return trials;
 }
 
 std::vector<NamedSuccessRate> MeasureAll(const Options& options,
@@ -105,23 +152,66 @@ void Run(const Options& given, const Invocation& invocation) {
   const std::vector<PairAlignment> pairs = MakePairs(options, world, *backend);
   const std::vector<ConvergenceRun> runs = RunPaperConvergence(pairs.front());
   const std::vector<NamedSuccessRate> rates = MeasureAll(options, pairs);
+  std::vector<FramePair> recovery_pairs;
+  std::vector<Recovery> recoveries;
+  if (options.recovery.starts > 0) {
+    recovery_pairs = RenderPairs(options, world, options.recovery_pairs);
+    recoveries = MeasureRecovery(recovery_pairs, *backend, options.recovery);
+  }
+  std::vector<OdometryTrial> trials;
+  if (options.trials > 0) trials = RunTrials(options, world, *backend);
 
-  const Json config{{"basics", options.basics.ToJson()}, {"world", world.ToJson()},
-                    {"reference_image", options.image},  {"pairs", options.pairs},
-                    {"starts_per_pair", options.starts}, {"pair_gap_s", kPairGap_s}};
+  const Json config{{"basics", options.basics.ToJson()},
+                    {"world", world.ToJson()},
+                    {"reference_image", options.image},
+                    {"pairs", options.pairs},
+                    {"starts_per_pair", options.starts},
+                    {"pair_gap_s", kPairGap_s},
+                    {"presets", options.recovery.presets},
+                    {"recovery_starts", options.recovery.starts},
+                    {"comparison_starts", options.recovery.comparison},
+                    {"recovery_pairs", options.recovery_pairs},
+                    {"trials", options.trials}};
   const Json manifest = MakeManifest(invocation.command_line, config, options.basics.seed);
   const Json json{{"manifest", manifest},
                   {"true_motion", ToJson(Difference(pairs.front().truth(), SE3d{}))},
                   {"levels", LevelRows(runs)},
                   {"iterations", IterationRows(runs)},
-                  {"success_rates", SuccessRows(rates)}};
+                  {"success_rates", SuccessRows(rates)},
+                  {"recovery", RecoveryRows(recoveries)},
+                  {"recovery_pairs", PairRows(recovery_pairs)},
+                  {"odometry_trials", TrialRows(trials)}};
   WriteJson(folder.path() / "convergence.json", json);
-  for (const char* table : {"levels", "iterations", "success_rates"}) {
+  for (const char* table :
+       {"levels", "iterations", "success_rates", "recovery", "recovery_pairs", "odometry_trials"}) {
     WriteFileAtomically(folder.path() / (std::string(table) + ".csv"), FormatCsv(json[table]));
   }
   DrawFigures("convergence.py", folder.path());
   folder.Commit(manifest);
-  Print(FormatConvergence(runs, rates) + "Results: " + options.basics.out + "\n");
+  std::string text = FormatConvergence(runs, rates);
+  if (!recoveries.empty()) text += "\n" + FormatRecovery(recoveries, recovery_pairs);
+  if (!trials.empty()) text += "\n" + FormatTrials(trials);
+  Print(text + "Results: " + options.basics.out + "\n");
+}
+
+void AddRecoveryOptions(CLI::App& command, Options& o) {
+  command.add_option("--preset", o.recovery.presets,
+                     "Presets for recovery and odometry trials; default: paper accurate fast");
+  RequireInteger(command.add_option("--recovery-starts", o.recovery.starts,
+                                    "Random starts of each preset and kind, over all pairs; 0: "
+                                    "none; default: 1000"),
+                 0, 1000000);
+  RequireInteger(command.add_option("--comparison-starts", o.recovery.comparison,
+                                    "The same of what they are compared with: no wide start, no "
+                                    "pyramid; default: 100"),
+                 0, 1000000);
+  RequireInteger(command.add_option("--recovery-pairs", o.recovery_pairs,
+                                    "Pairs of frames for them; default: 10"),
+                 1, 1000);
+  RequireInteger(command.add_option("--trials", o.trials,
+                                    "Motions in OpenCV's test of odometries; 0: none; default: "
+                                    "100"),
+                 0, 100000);
 }
 
 }  // namespace
@@ -143,9 +233,12 @@ void AddConvergenceExperiment(CLI::App& experiments, const Invocation& invocatio
   RequireInteger(command->add_option("--starts", options->starts,
                                      "Random starts per pair and offset; default: 8"),
                  1, 100000);
+  AddRecoveryOptions(*command, *options);
   command->footer(
       "Images 1 and 10 at 20 fps are aligned from [R_true, 0.6 t_true], with the four-level\n"
-      "pyramid and with the full resolution only; then from random starts around the truth.\n"
+      "pyramid and with the full resolution only; then from random starts around the truth. Then\n"
+      "each preset's refinement alone, from up to and from exactly 10 cm and 5 deg, and 20 cm and\n"
+      "10 deg, beside the truth; and OpenCV's test of its odometries.\n"
       "Example: silt experiment convergence --out results/convergence");
   command->callback([options, &invocation] { Run(*options, invocation); });
 }

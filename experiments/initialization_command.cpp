@@ -102,21 +102,20 @@ class Experiment {
     keyframe.id = next_id_++;
     keyframe.frame = RenderAt(world_, condition.rendering, Time(number));
     keyframe.intensity = GrayFromRgb(keyframe.frame.rgb);
-    const auto initializer = MakeInitializer("sparse");
+    const Initializers initializers = MakeInitializers();
     for (const int gap : options_.gaps) {
       ThrowIfInterrupted();
       const Frame current = RenderAt(world_, condition.rendering, Time(number + gap));
       const SE3d world_from_keyframe = WorldFromCamera(number);
       const InitializationCase each{
-          keyframe,
-          current,
-          condition.rendering.camera,
+          keyframe, current, condition.rendering.camera,
           WorldFromCamera(number + gap).Inverse() * world_from_keyframe,
           WorldFromCamera(number + gap - 1).Inverse() * world_from_keyframe,
-          number + gap,
-          options_.basics.seed};
+          // Before the path begins the camera rests.
+          WorldFromCamera(std::max(0, number + gap - 2)).Inverse() * world_from_keyframe,
+          number + gap, options_.basics.seed};
       records->push_back({condition.name, gap, Time(number),
-                          TryStarts(each, *backend_, *initializer, refinement_)});
+                          TryStarts(each, *backend_, initializers, refinement_)});
       progress->Advance(1, condition.name + ", " + std::to_string(gap) + " frames apart");
     }
   }
@@ -158,7 +157,7 @@ void Run(const Options& given, const Invocation& invocation) {
 void AddInitializationExperiment(CLI::App& experiments, const Invocation& invocation) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = experiments.add_subcommand(
-      "initialization", "Identity, previous pose and sparse features as starts, over frame gaps");
+      "initialization", "Every kind of start (--init of silt track), over frame gaps");
   AddExperimentBasics(*command, options->basics);
   RequireNumber(command->add_option("--fps", options->fps, "Frames per second, the unit of gaps")
                     ->capture_default_str(),
@@ -174,7 +173,7 @@ void AddInitializationExperiment(CLI::App& experiments, const Invocation& invoca
       "Each start is refined by the preset paper; it was good if that ends within 1 cm and 0.5 "
       "deg\n"
       "of the truth. Conditions: sharp; noisy (Handa's noise); blurred (noise, and a shutter open\n"
-      "for 1/60 s). The previous pose is the true one: that of a tracker without an error so far.\n"
+      "for 1/60 s). Previous poses are the true ones: those of a tracker without an error so far.\n"
       "Example: silt experiment initialization --out results/initialization");
   command->callback([options, &invocation] { Run(*options, invocation); });
 }

@@ -13,6 +13,16 @@ PairAlignment::PairAlignment(const tracker::Backend& backend, const FramePair& p
       current_(backend.MakeCurrent(GrayFromRgb(pair.current.rgb), {}, {levels})),
       truth_(pair.current_from_reference) {}
 
+PairAlignment::PairAlignment(const tracker::Backend& backend, const FramePair& pair,
+                             const tracker::AlignmentOptions& options)
+    : backend_(backend),
+      reference_(backend.MakeReference(GrayFromRgb(pair.reference.rgb), pair.reference.depth_m,
+                                       pair.camera, options.Pyramids())),
+      current_(backend.MakeCurrent(
+          GrayFromRgb(pair.current.rgb),
+          options.use_current_depth ? pair.current.depth_m : Image<float>{}, options.Pyramids())),
+      truth_(pair.current_from_reference) {}
+
 tracker::AlignmentResult PairAlignment::Align(const SE3d& start,
                                               const tracker::AlignmentOptions& options) const {
   return tracker::Align(backend_, {*reference_, *current_}, start, options);

@@ -23,7 +23,11 @@ struct FramePair {
 // wanted. The backend must outlive it.
 class PairAlignment {
  public:
+  // Without the current depth, for options that differ in no more than the number of levels.
   PairAlignment(const tracker::Backend& backend, const FramePair& pair, int levels);
+  // For these options.
+  PairAlignment(const tracker::Backend& backend, const FramePair& pair,
+                const tracker::AlignmentOptions& options);
 
   const SE3d& truth() const { return truth_; }
   tracker::AlignmentResult Align(const SE3d& start, const tracker::AlignmentOptions& options) const;

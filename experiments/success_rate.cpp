@@ -48,16 +48,23 @@ Interval WilsonInterval(int successes, int trials) {
   return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
-SuccessRate MeasureSuccessRate(const std::vector<PairAlignment>& pairs, const RandomStarts& starts,
-                               const tracker::AlignmentOptions& options) {
+PoseDifference RandomStarts::OffsetOf(int index) const {
+  if (!up_to) return offset;
+  // RandomStart draws its directions from the same stream, with the indices from 0 to 3.
+  const CounterRandom random(seed, std::uint64_t(index));
+  return {offset.distance_m * random.Uniform(4), offset.angle_deg * random.Uniform(5)};
+}
+
+SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStarts& starts,
+                               const AlignFrom& align) {
   SuccessRate success{starts.offset, 0, 0, 0};
   std::vector<double> solves;
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
+  for (std::size_t p = 0; p < truths.size(); ++p) {
     for (int i = 0; i < starts.count; ++i) {
       const int index = int(p) * starts.count + i;
-      const SE3d start = RandomStart(pairs[p].truth(), starts.offset, starts.seed, index);
-      const tracker::AlignmentResult result = pairs[p].Align(start, options);
-      const PoseDifference error = Difference(pairs[p].truth(), result.current_from_reference);
+      const SE3d start = RandomStart(truths[p], starts.OffsetOf(index), starts.seed, index);
+      const tracker::AlignmentResult result = align(p, start);
+      const PoseDifference error = Difference(truths[p], result.current_from_reference);
       ++success.starts;
       success.recovered += result.ok && error.Within(kRecovered);
       solves.push_back(Solves(result));
@@ -65,6 +72,15 @@ SuccessRate MeasureSuccessRate(const std::vector<PairAlignment>& pairs, const Ra
   }
   if (!solves.empty()) success.median_solves = Median(solves);
   return success;
+}
+
+SuccessRate MeasureSuccessRate(const std::vector<PairAlignment>& pairs, const RandomStarts& starts,
+                               const tracker::AlignmentOptions& options) {
+  std::vector<SE3d> truths;
+  for (const PairAlignment& pair : pairs) truths.push_back(pair.truth());
+  return MeasureSuccessRate(truths, starts, [&](std::size_t pair, const SE3d& start) {
+    return pairs[pair].Align(start, options);
+  });
 }
 
 }  // namespace silt::experiments

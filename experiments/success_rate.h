@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "silt/experiments/pair_alignment.h"
@@ -35,9 +37,17 @@ struct RandomStarts {
   PoseDifference offset;
   int count = 10;  // per pair
   std::uint64_t seed = 0;
+  bool up_to = false;  // each start's distance and angle are uniform below those of the offset
+
+  PoseDifference OffsetOf(int index) const;
 };
 
+// Aligns a pair, given by its index, from a start.
+using AlignFrom = std::function<tracker::AlignmentResult(std::size_t pair, const SE3d& start)>;
+
 // The share of random starts from which the alignment recovers the true motion, over all pairs.
+SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStarts& starts,
+                               const AlignFrom& align);
 SuccessRate MeasureSuccessRate(const std::vector<PairAlignment>& pairs, const RandomStarts& starts,
                                const tracker::AlignmentOptions& options);
 

@@ -64,7 +64,7 @@ void Run(const Options& given, const Invocation& invocation) {
   WriteSequence(world, plan, frames);
 
   TumSequence sequence(frames);
-  const TrackerSetup setup{"paper", options.basics.backend, "sparse", options.basics.seed};
+  const TrackerSetup setup{"paper", options.basics.backend, "auto", options.basics.seed};
   tracker::KeyframeTracker tracker =
       MakeTracker(sequence.camera(), setup, world.path.WorldFromCamera(0));
   const std::vector<FrameTiming> timings = TimeFrames(sequence, tracker);

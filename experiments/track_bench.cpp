@@ -45,8 +45,8 @@ double PixelIterations(const tracker::AlignmentResult& alignment) {
 }
 
 PairRun RunPreset(const std::string& preset, const Backend& backend, const FramePair& pair) {
-  tracker::KeyframeTracker tracker(pair.camera, PresetOptions(preset), backend,
-                                   MakeInitializer("sparse"));
+  const tracker::TrackerOptions options = PresetOptions(preset);
+  tracker::KeyframeTracker tracker(pair.camera, options, backend, MakeInitializer({}, options));
   const tracker::TrackedFrame first = tracker.Track(pair.reference);
   const tracker::TrackedFrame tracked = tracker.Track(pair.current, SE3d{});
   PairRun run;

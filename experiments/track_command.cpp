@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -58,6 +59,15 @@ PinholeCamera CameraFrom(const std::vector<double>& values) {
   return {values[0], values[1], values[2], values[3]};
 }
 
+// The true pose nearest in time, where one is near enough to be that of the frame.
+std::optional<SE3d> TruthAt(const Trajectory& truth, double time_s) {
+  constexpr double kTolerance_s = 0.02;
+  if (truth.empty()) return {};
+  const StampedPose& nearest = truth[NearestIndex(Times(truth), time_s)];
+  if (std::abs(nearest.time_s - time_s) > kTolerance_s) return {};
+  return nearest.world_from_camera;
+}
+
 // The folder's ground truth serves for the first pose and for the evaluation.
 Tracked TrackFolder(const Options& options) {
   const auto sequence =
@@ -75,7 +85,7 @@ Tracked TrackFolder(const Options& options) {
   int number = 0;
   while (const std::optional<Frame> frame = sequence->Next()) {
     ThrowIfInterrupted();
-    run.Track(*frame);
+    run.Track(*frame, TruthAt(tracked.truth, frame->time_s));
     progress.Advance(1, FrameOf(++number, sequence->size()));
   }
   tracked.result = run.Result();
@@ -98,7 +108,8 @@ Tracked TrackSimulation(const Options& options) {
     undistortion.emplace(plan.options.camera, plan.options.lens);
   }
   ForEachFrame(world, plan, [&](const RenderedFrame& rendered) {
-    run.Track(undistortion ? undistortion->Apply(rendered.frame) : rendered.frame);
+    run.Track(undistortion ? undistortion->Apply(rendered.frame) : rendered.frame,
+              rendered.truth.world_from_camera);
     progress.Advance(1, FrameOf(rendered.number + 1, frames));
   });
   tracked.result = run.Result();
@@ -160,8 +171,11 @@ void AddTrackerOptions(CLI::App& command, Options& options) {
       ->capture_default_str();
   command.add_option("--backend", options.tracker.backend, kBackendHelp)->capture_default_str();
   command
-      .add_option("--init", options.tracker.initializer,
-                  "Where an alignment starts: sparse (features) or previous (the last pose)")
+      .add_option(
+          "--init", options.tracker.initializer,
+          "Where an alignment starts: auto (as the preset has it), identity (the keyframe's "
+          "pose), previous, constant-velocity, rotation (a coarse alignment), surf, sift, "
+          "orb, akaze, or truth, which may be off: truth:0.02m,1deg")
       ->capture_default_str();
 }
 

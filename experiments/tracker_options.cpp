@@ -26,6 +26,7 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("alignment", "robust_scale", a.robust_scale);
   visit("alignment", "robust_gradient", a.robust_gradient);
   visit("alignment", "depth_residual", a.depth_residual);
+  visit("alignment", "rotation_only", a.rotation_only);
   auto& k = o.keyframes;
   visit("keyframes", "max_distance_m", k.max_distance_m);
   visit("keyframes", "max_rotation_deg", k.max_rotation_deg);

@@ -9,7 +9,6 @@
 #include "silt/core/error.h"
 #include "silt/experiments/tracker_options.h"
 #include "silt/tracker/cpu_backend.h"
-#include "silt/tracker/sparse/sparse_initializer.h"
 #ifdef SILT_HAVE_CUDA
 #include "silt/cuda/cuda_backend.h"
 #include "silt/cuda/devices.h"
@@ -39,7 +38,6 @@ bool HasGpu() {
 std::vector<std::string> BackendNames() {
   return {"cpu", "cpu-sse2", "cpu-avx2", "cpu-avx512", "cuda", "cuda-emulated", "auto"};
 }
-std::vector<std::string> InitializerNames() { return {"sparse", "previous"}; }
 
 std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
   if (name == "cpu") return tracker::MakeCpuBackend();
@@ -63,18 +61,14 @@ std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
   Unknown("backend", name, BackendNames());
 }
 
-std::unique_ptr<tracker::Initializer> MakeInitializer(const std::string& name) {
-  if (name == "sparse") return std::make_unique<tracker::SparseInitializer>();
-  if (name == "previous") return nullptr;
-  Unknown("initializer", name, InitializerNames());
-}
-
 tracker::KeyframeTracker MakeTracker(const PinholeCamera& camera, const TrackerSetup& setup,
                                      const SE3d& first_world_from_camera) {
-  tracker::TrackerOptions options = PresetOptions(setup.preset);
+  const InitializerChoice choice = ParseInitializer(setup.initializer);
+  const tracker::TrackerOptions preset = PresetOptions(setup.preset);
+  tracker::TrackerOptions options = WithInitializer(preset, choice);
   options.seed = setup.seed;
   return tracker::KeyframeTracker(camera, options, MakeBackend(setup.backend),
-                                  MakeInitializer(setup.initializer), first_world_from_camera);
+                                  MakeInitializer(choice, preset), first_world_from_camera);
 }
 
 Json ToJson(const TrackerSetup& setup) {

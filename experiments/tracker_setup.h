@@ -9,9 +9,9 @@
 
 #include "silt/core/camera.h"
 #include "silt/core/se3.h"
+#include "silt/experiments/initializer_choice.h"
 #include "silt/experiments/json.h"
 #include "silt/tracker/backend.h"
-#include "silt/tracker/initializer.h"
 #include "silt/tracker/keyframe_tracker.h"
 
 namespace silt::experiments {
@@ -20,7 +20,7 @@ namespace silt::experiments {
 struct TrackerSetup {
   std::string preset = "paper";  // as PresetOptions takes it
   std::string backend = "cpu";
-  std::string initializer = "sparse";
+  std::string initializer = "auto";  // as ParseInitializer takes it
   std::uint64_t seed = 0;
 };
 
@@ -32,13 +32,10 @@ std::vector<std::string> BackendNames();
 inline constexpr const char* kBackendHelp =
     "Where it computes: cpu (or cpu-sse2, cpu-avx2, cpu-avx512), cuda, cuda-emulated, or auto: a "
     "GPU if there is one";
-std::vector<std::string> InitializerNames();
 
 // Each throws silt::Error for an unknown name, and MakeBackend for one that is not compiled in or
 // finds no device.
 std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name);
-// "previous" is none: the tracker then starts from the last pose.
-std::unique_ptr<tracker::Initializer> MakeInitializer(const std::string& name);
 
 // The tracker is given the first true pose, and no other.
 tracker::KeyframeTracker MakeTracker(const PinholeCamera& camera, const TrackerSetup& setup,

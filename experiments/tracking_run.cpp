@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "silt/core/error.h"
+
 namespace silt::experiments {
 namespace {
 
@@ -23,10 +25,23 @@ int TrackingResult::lost() const { return int(std::count(is_lost.begin(), is_los
 
 TrackingRun::TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
                          const SE3d& first_world_from_camera)
-    : tracker_(MakeTracker(camera, setup, first_world_from_camera)) {}
+    : choice_(ParseInitializer(setup.initializer)),
+      seed_(setup.seed),
+      tracker_(MakeTracker(camera, setup, first_world_from_camera)) {}
 
-tracker::TrackedFrame TrackingRun::Track(const Frame& frame) {
-  tracker::TrackedFrame tracked = tracker_.Track(frame);
+std::optional<SE3d> TrackingRun::Expected(const std::optional<SE3d>& true_world_from_camera) const {
+  if (!choice_.uses_truth()) return {};
+  const int frame = int(result_.estimate.size());
+  if (!true_world_from_camera) {
+    throw Error("--init truth: frame " + std::to_string(frame) +
+                " has no true pose; choose another start");
+  }
+  return PerturbedTruth(*true_world_from_camera, choice_.perturbation, seed_, frame);
+}
+
+tracker::TrackedFrame TrackingRun::Track(const Frame& frame,
+                                         const std::optional<SE3d>& true_world_from_camera) {
+  tracker::TrackedFrame tracked = tracker_.Track(frame, Expected(true_world_from_camera));
   result_.estimate.push_back({tracked.time_s, tracked.world_from_camera});
   result_.is_keyframe.push_back(tracked.new_keyframe);
   result_.is_lost.push_back(tracked.status == tracker::TrackingStatus::kLost);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,10 +30,17 @@ class TrackingRun {
   TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
               const SE3d& first_world_from_camera);
 
-  tracker::TrackedFrame Track(const Frame& frame);
+  // The true pose is where the frame's alignment starts if the setup says so, and nothing else.
+  // Throws silt::Error where it is wanted and there is none.
+  tracker::TrackedFrame Track(const Frame& frame,
+                              const std::optional<SE3d>& true_world_from_camera = std::nullopt);
   TrackingResult Result() const;
 
  private:
+  std::optional<SE3d> Expected(const std::optional<SE3d>& true_world_from_camera) const;
+
+  InitializerChoice choice_;
+  std::uint64_t seed_;
   tracker::KeyframeTracker tracker_;
   TrackingResult result_;
   tracker::StageTimes sums_;

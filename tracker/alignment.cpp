@@ -36,10 +36,20 @@ Matrix6 HessianMatrix(const NormalEquations& equations) {
   return h;
 }
 
+// The equations of ω alone, whose solution has v = 0.
+void FixTranslation(Matrix6* hessian, Vector6* gradient) {
+  hessian->topRightCorner<3, 3>().setZero();
+  hessian->bottomLeftCorner<3, 3>().setZero();
+  hessian->bottomRightCorner<3, 3>().setIdentity();
+  gradient->tail<3>().setZero();
+}
+
 // dξ = −(JᵀJ + αI)⁻¹·Jᵀr (eq. 17, damped), or nothing where it has no finite solution.
-std::optional<Twistd> Solve(const NormalEquations& equations, double damping) {
-  const Vector6 gradient = Eigen::Map<const Vector6>(equations.gradient.data());
-  const Matrix6 damped = HessianMatrix(equations) + damping * Matrix6::Identity();
+std::optional<Twistd> Solve(const NormalEquations& equations, double damping, bool rotation_only) {
+  Vector6 gradient = Eigen::Map<const Vector6>(equations.gradient.data());
+  Matrix6 hessian = HessianMatrix(equations);
+  if (rotation_only) FixTranslation(&hessian, &gradient);
+  const Matrix6 damped = hessian + damping * Matrix6::Identity();
   if (!damped.allFinite() || !gradient.allFinite()) return std::nullopt;
   const Eigen::LDLT<Matrix6> ldlt(damped);
   const Vector6 d = -ldlt.solve(gradient);
@@ -204,7 +214,7 @@ class LevenbergMarquardt {
 
   std::optional<Twistd> TimedSolve() {
     const Stopwatch watch(&result_.times.update_ms);
-    return Solve(equations_, damping_);
+    return Solve(equations_, damping_, options_.rotation_only);
   }
 
   SE3d TimedUpdate(const Twistd& update) {
@@ -244,7 +254,8 @@ class LevenbergMarquardt {
 
   void CheckEnd() {
     if (result_.levels.empty()) return Fail("no pyramid level has enough measured pixels");
-    if (!DeterminesPose(equations_)) Fail("the images' texture does not determine a pose");
+    if (!options_.rotation_only && !DeterminesPose(equations_))
+      Fail("the images' texture does not determine a pose");
   }
 
   // Depth residuals come with weights in these units already.

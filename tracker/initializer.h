@@ -21,6 +21,7 @@ struct InitializerInput {
   const PinholeCamera& camera;    // of both
   std::uint64_t seed = 0;         // of random draws, together with frame_index
   int frame_index = 0;            // of the current frame, from 0
+  SE3d expected = {};             // current_from_keyframe, as far as it can be foretold
 };
 
 struct InitialEstimate {

@@ -132,10 +132,10 @@ void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity
   const std::unique_ptr<CurrentPyramid> current = MakeCurrent(frame, intensity, result);
   // Initial T_cr (§3.2), then its refinement (§3.3).
   const SE3d start = expected.Inverse() * keyframe.world_from_camera;
-  if (options_.always_initialize) Initialize(keyframe, frame, intensity, result);
+  if (options_.always_initialize) Initialize(keyframe, start, frame, intensity, result);
   Refine(nearest, *current, result->initial.current_from_keyframe.value_or(start), result);
   if (result->status != TrackingStatus::kTracked && !options_.always_initialize &&
-      Initialize(keyframe, frame, intensity, result)) {
+      Initialize(keyframe, start, frame, intensity, result)) {
     Refine(nearest, *current, *result->initial.current_from_keyframe, result);
   }
   if (result->status != TrackingStatus::kTracked) {
@@ -147,9 +147,12 @@ void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity
          frame.time_s);
 }
 
-// Where the camera is if it goes on as between the last two frames; the paper starts where it was.
 SE3d KeyframeTracker::Predicted(double time_s) const {
-  if (options_.always_initialize || !velocity_) return world_from_camera_;
+  if (options_.start == Start::kKeyframe) {
+    const int nearest = NearestKeyframe(keyframes_, world_from_camera_, options_.keyframes);
+    return keyframes_[nearest].world_from_camera;
+  }
+  if (options_.start == Start::kPrevious || !velocity_) return world_from_camera_;
   const double dt_s = time_s - time_s_;
   return world_from_camera_ * SE3d::Exp({dt_s * velocity_->omega, dt_s * velocity_->v});
 }
@@ -165,12 +168,12 @@ void KeyframeTracker::Accept(const SE3d& world_from_camera, double time_s) {
   time_s_ = time_s;
 }
 
-bool KeyframeTracker::Initialize(const Keyframe& nearest, const Frame& frame,
+bool KeyframeTracker::Initialize(const Keyframe& nearest, const SE3d& expected, const Frame& frame,
                                  const Image<float>& intensity, TrackedFrame* result) {
   if (!initializer_) return false;
   const Stopwatch watch(&result->times.initial_estimate_ms);
-  result->initial =
-      initializer_->Estimate({nearest, frame, intensity, camera_, options_.seed, frame_index_});
+  result->initial = initializer_->Estimate(
+      {nearest, frame, intensity, camera_, options_.seed, frame_index_, expected});
   return result->initial.current_from_keyframe.has_value();
 }
 

@@ -74,8 +74,8 @@ class KeyframeTracker {
   void Localize(const Frame& frame, const Image<float>& intensity, const SE3d& expected,
                 TrackedFrame* result);
   SE3d Predicted(double time_s) const;
-  bool Initialize(const Keyframe& nearest, const Frame& frame, const Image<float>& intensity,
-                  TrackedFrame* result);
+  bool Initialize(const Keyframe& nearest, const SE3d& expected, const Frame& frame,
+                  const Image<float>& intensity, TrackedFrame* result);
   std::unique_ptr<CurrentPyramid> MakeCurrent(const Frame& frame, const Image<float>& intensity,
                                               TrackedFrame* result) const;
   void Refine(const std::vector<int>& nearest, const CurrentPyramid& current, const SE3d& initial,

@@ -80,6 +80,7 @@ TrackerOptions AccuratePreset() {
   options.alignment.min_overlap = 0.25;
   options.max_unexplained_variance = 0.25;
   options.always_initialize = false;
+  options.start = Start::kConstantVelocity;
   return options;
 }
 

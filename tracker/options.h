@@ -39,7 +39,8 @@ struct AlignmentOptions {
   // Residuals of the inverse depth beside those of the intensity, each kind in units of its own
   // scale; needs robust_scale and use_current_depth.
   bool depth_residual = false;
-  bool keep_log = false;  // one AlignmentStep per solve
+  bool rotation_only = false;  // the translation stays as it is
+  bool keep_log = false;       // one AlignmentStep per solve
 
   int levels() const { return int(max_iterations.size()); }
   bool robust() const { return robust_scale > 0; }
@@ -60,6 +61,13 @@ struct KeyframeOptions {
   void Validate() const;
 };
 
+// Where an alignment starts if no initializer says so.
+enum class Start {
+  kKeyframe,          // the pose of the nearest keyframe
+  kPrevious,          // that of the last tracked frame
+  kConstantVelocity,  // where the motion between the last two tracked frames leads
+};
+
 struct TrackerOptions {
   AlignmentOptions alignment;
   KeyframeOptions keyframes;
@@ -68,9 +76,9 @@ struct TrackerOptions {
   double max_unexplained_variance = 0.6;
   // Lost where the depths differ by more than this share, by the scale of their residuals.
   double max_depth_disagreement = 0.03;
-  // The initializer gives every frame its start (§3.2), or serves only to find a lost camera again;
-  // the start is then the pose that follows from an even motion.
+  // The initializer gives every frame its start (§3.2), or serves only to find a lost camera again.
   bool always_initialize = true;
+  Start start = Start::kPrevious;
   std::uint64_t seed = 0;  // of the initializer's random draws
 
   void Validate() const;

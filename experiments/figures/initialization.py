@@ -10,7 +10,8 @@ sys.dont_write_bytecode = True  # leave no __pycache__ beside the script
 from style import (BLUE, GRAY, GREEN, RED, legend_above, legend_above_all, plt, read_table, save,
                    unique)
 
-COLOURS = {"identity": GRAY, "previous pose": GREEN, "sparse": RED}
+COLOURS = {"identity": GRAY, "previous": GREEN, "surf": RED, "constant-velocity": "#0f766e",
+           "rotation": "#9333ea", "sift": "#ea580c", "orb": "#ca8a04", "akaze": "#be185d"}
 
 
 def panels(rows, height):
@@ -62,10 +63,10 @@ def inliers(folder, rows):
     lines = {"sharp": "-", "noisy": "--", "blurred": ":"}
     for condition in unique(row["condition"] for row in rows):
         points = [row for row in rows
-                  if row["condition"] == condition and row["method"] == "sparse"]
+                  if row["condition"] == condition and row["method"] == "surf"]
         axes.plot([row["gap"] for row in points], [row["inliers"] for row in points], "o", ms=4,
                   color=RED, linestyle=lines.get(condition, "-."), label=condition)
-    axes.set(xlabel="frames from the keyframe", ylabel="inliers of the sparse pose, median")
+    axes.set(xlabel="frames from the keyframe", ylabel="inliers of the pose from SURF, median")
     axes.set_ylim(bottom=0)
     legend_above(axes)
     save(figure, folder, "initialization_inliers")

@@ -108,8 +108,6 @@ TEST(TrackerSetup, UnknownNamesListTheKnown) {
   using testing::HasSubstr;
   EXPECT_THAT(said([] { PresetOptions("best"); }), HasSubstr("'best'; there are: paper"));
   EXPECT_THAT(said([] { MakeBackend("gpu"); }), HasSubstr("cpu, cpu-sse2"));
-  EXPECT_THAT(said([] { MakeInitializer("guess"); }), HasSubstr("sparse, previous"));
-  EXPECT_EQ(MakeInitializer("previous"), nullptr);
 }
 
 // There is no silent way back to the processor.

@@ -34,6 +34,11 @@ nlohmann::json ResultsOf(const TestFolder& folder, const std::string& experiment
 TEST(ConvergenceCommand, WritesTable1AndSuccessRates) {
   const TestFolder folder;
   const auto json = ResultsOf(folder, "convergence", "--quick --width 160 --starts 1");
+  EXPECT_EQ(json["recovery"].size(), 32u);  // of three presets, two of which start wide
+  EXPECT_EQ(json["recovery_pairs"].size(), 2u);
+  EXPECT_EQ(json["odometry_trials"].size(), 6u);
+  EXPECT_EQ(json["odometry_trials"][1]["current"], "rendered");
+  EXPECT_THAT(ReadText(folder / "convergence/recovery.csv"), HasSubstr("at 20 cm and 10 deg"));
   EXPECT_EQ(json["levels"].size(), 5u);
   EXPECT_EQ(json["success_rates"].size(), 6u);
   EXPECT_THAT(ReadText(folder / "convergence/levels.csv"), HasSubstr("paper_ratio"));
@@ -44,11 +49,11 @@ TEST(InitializationCommand, WritesACasePerConditionKeyframeGapAndMethod) {
   const TestFolder folder;
   const auto json =
       ResultsOf(folder, "initialization", "--quick --width 160 --spp 1 --keyframes 1 --gaps 1 5");
-  EXPECT_EQ(json["cases"].size(), 18u);
-  EXPECT_EQ(json["summary"].size(), 18u);
+  EXPECT_EQ(json["cases"].size(), 54u);
+  EXPECT_EQ(json["summary"].size(), 54u);
   EXPECT_EQ(json["summary"][0]["condition"], "sharp");
-  EXPECT_EQ(json["summary"][17]["condition"], "blurred");
-  EXPECT_THAT(ReadText(folder / "initialization/summary.csv"), HasSubstr("noisy,5,sparse,1,"));
+  EXPECT_EQ(json["summary"][53]["condition"], "blurred");
+  EXPECT_THAT(ReadText(folder / "initialization/summary.csv"), HasSubstr("noisy,5,surf,1,"));
 }
 
 TEST(LightCommand, ComparesBakedWithTracedLight) {

@@ -256,6 +256,18 @@ TEST_P(OwnPreset, StartsWhereAnEvenMotionLeads) {
   EXPECT_LT(start_cost(0.1), 0.1 * start_cost(0));
 }
 
+TEST(KeyframeTracker, StartsWhereTheOptionsSay) {
+  const auto start = [&](Start kind) {
+    TrackerOptions options = SmallImages();
+    options.start = kind;
+    KeyframeTracker walking = MakeTracker(nullptr, options);
+    for (int i = 0; i < 3; ++i) walking.Track(RoomFrame(TruePose(i), 0.1 * i));
+    return walking.Track(RoomFrame(TruePose(3), 0.3)).alignment.levels.front().initial_cost.mean();
+  };
+  EXPECT_LT(start(Start::kConstantVelocity), 0.2 * start(Start::kPrevious));
+  EXPECT_LT(start(Start::kPrevious), 0.5 * start(Start::kKeyframe));
+}
+
 // A jump to where the walk goes on: lost, until the features say where.
 TEST_P(OwnPreset, AsksTheInitializerWhereLost) {
   int calls = 0;

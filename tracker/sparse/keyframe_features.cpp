@@ -11,13 +11,13 @@
 namespace silt::tracker {
 
 KeyframeFeatures::KeyframeFeatures(const Keyframe& keyframe, const PinholeCamera& camera,
-                                   const SurfOptions& options, std::uint64_t seed)
+                                   const FeatureOptions& options, std::uint64_t seed)
     : keyframe_id(keyframe.id),
-      features(DetectSurf(keyframe.intensity, options)),
+      features(DetectFeatures(keyframe.intensity, options)),
       // FLANN's draws are a function of the seed and the keyframe, not of the order of calls.
       index(features, CounterRandom(seed, std::uint64_t(keyframe.id)).Bits(0)) {
   points.reserve(features.size());
-  for (const SurfFeature& feature : features) {
+  for (const Feature& feature : features) {
     points.push_back(FeaturePoint(keyframe.frame.depth_m, camera, feature.pixel));
   }
 }
@@ -28,7 +28,8 @@ KeyframeFeatureCache::KeyframeFeatureCache(int capacity) : capacity_(std::size_t
 
 const KeyframeFeatures& KeyframeFeatureCache::Get(const Keyframe& keyframe,
                                                   const PinholeCamera& camera,
-                                                  const SurfOptions& options, std::uint64_t seed) {
+                                                  const FeatureOptions& options,
+                                                  std::uint64_t seed) {
   const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) {
     return entry.keyframe_id == keyframe.id;
   });

@@ -11,17 +11,17 @@
 #include "silt/core/vector.h"
 #include "silt/tracker/keyframe.h"
 #include "silt/tracker/sparse/descriptor_index.h"
-#include "silt/tracker/sparse/surf.h"
+#include "silt/tracker/sparse/feature.h"
 
 namespace silt::tracker {
 
 // What §3.2 needs of a keyframe, computed once.
 struct KeyframeFeatures {
   KeyframeFeatures(const Keyframe& keyframe, const PinholeCamera& camera,
-                   const SurfOptions& options, std::uint64_t seed);
+                   const FeatureOptions& options, std::uint64_t seed);
 
   int keyframe_id;
-  std::vector<SurfFeature> features;
+  std::vector<Feature> features;
   std::vector<std::optional<Vec3d>> points;  // χ_r of each, in keyframe coordinates, where measured
   DescriptorIndex index;
 };
@@ -33,7 +33,7 @@ class KeyframeFeatureCache {
 
   // Computed where they are not there. Valid until the next call.
   const KeyframeFeatures& Get(const Keyframe& keyframe, const PinholeCamera& camera,
-                              const SurfOptions& options, std::uint64_t seed);
+                              const FeatureOptions& options, std::uint64_t seed);
   int size() const { return int(entries_.size()); }
 
  private:

@@ -40,8 +40,8 @@ std::vector<FeatureMatch> KeepCorrelatedMatches(const std::vector<FeatureMatch>&
                                                 const ImageFeatures& current,
                                                 const MatchCheckOptions& options) {
   const auto alike = [&](const FeatureMatch& match) {
-    const SurfFeature& a = keyframe.features[std::size_t(match.keyframe)];
-    const SurfFeature& b = current.features[std::size_t(match.current)];
+    const Feature& a = keyframe.features[std::size_t(match.keyframe)];
+    const Feature& b = current.features[std::size_t(match.current)];
     return PatchCorrelation(keyframe.intensity, {a.pixel, a.angle_rad, 1}, current.intensity,
                             {b.pixel, b.angle_rad, b.scale / a.scale},
                             options.patch_radius) > options.min_correlation;
@@ -52,8 +52,8 @@ std::vector<FeatureMatch> KeepCorrelatedMatches(const std::vector<FeatureMatch>&
 }
 
 std::vector<FeatureMatch> KeepEpipolarMatches(const std::vector<FeatureMatch>& matches,
-                                              const std::vector<SurfFeature>& keyframe,
-                                              const std::vector<SurfFeature>& current,
+                                              const std::vector<Feature>& keyframe,
+                                              const std::vector<Feature>& current,
                                               const MatchCheckOptions& options) {
   constexpr std::size_t kLeast = 8;
   if (matches.size() < kLeast) return {};

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "silt/core/image.h"
+#include "silt/tracker/sparse/feature.h"
 #include "silt/tracker/sparse/feature_match.h"
-#include "silt/tracker/sparse/surf.h"
 
 // The three checks of §3.2 on matches between keyframe and current image. Each returns the matches
 // that pass, in their order.
@@ -36,7 +36,7 @@ struct MatchCheckOptions {
 // An image and its features, which the checks look into.
 struct ImageFeatures {
   const Image<float>& intensity;
-  const std::vector<SurfFeature>& features;
+  const std::vector<Feature>& features;
 };
 
 std::vector<FeatureMatch> KeepNearMatches(const std::vector<FeatureMatch>& matches,
@@ -49,8 +49,8 @@ std::vector<FeatureMatch> KeepCorrelatedMatches(const std::vector<FeatureMatch>&
 
 // Nothing passes where fewer than 8 matches come in, or where no matrix can be found.
 std::vector<FeatureMatch> KeepEpipolarMatches(const std::vector<FeatureMatch>& matches,
-                                              const std::vector<SurfFeature>& keyframe,
-                                              const std::vector<SurfFeature>& current,
+                                              const std::vector<Feature>& keyframe,
+                                              const std::vector<Feature>& current,
                                               const MatchCheckOptions& options = {});
 
 }  // namespace silt::tracker

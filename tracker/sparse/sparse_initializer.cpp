@@ -27,8 +27,8 @@ class LapTimer {
 
 // Pairs of χ_r and p_c: the matches whose keyframe feature has a depth.
 PnpProblem Correspondences(const std::vector<FeatureMatch>& matches,
-                           const KeyframeFeatures& keyframe,
-                           const std::vector<SurfFeature>& current, const PinholeCamera& camera) {
+                           const KeyframeFeatures& keyframe, const std::vector<Feature>& current,
+                           const PinholeCamera& camera) {
   PnpProblem problem{camera, {}, {}};
   for (const FeatureMatch& match : matches) {
     const std::optional<Vec3d>& point = keyframe.points[std::size_t(match.keyframe)];
@@ -42,12 +42,20 @@ PnpProblem Correspondences(const std::vector<FeatureMatch>& matches,
 }  // namespace
 
 void SparseOptions::Validate() const {
-  surf.Validate();
+  features.Validate();
   checks.Validate();
   pnp.Validate();
   if (max_cached_keyframes < 1) {
     throw Error("sparse initializer: max_cached_keyframes must be at least 1");
   }
+}
+
+SparseOptions OptionsFor(FeatureKind kind) {
+  SparseOptions options;
+  options.features.kind = kind;
+  const bool binary = kind == FeatureKind::kOrb || kind == FeatureKind::kAkaze;
+  if (binary) options.checks.distance_floor = 0.8;
+  return options;
 }
 
 SparseInitializer::SparseInitializer(const SparseOptions& options)
@@ -61,11 +69,11 @@ SparseEstimate SparseInitializer::EstimateInSteps(const InitializerInput& input)
   SparseEstimate result;
   LapTimer total, watch;
   const KeyframeFeatures& keyframe =
-      cache_.Get(input.keyframe, input.camera, options_.surf, input.seed);
+      cache_.Get(input.keyframe, input.camera, options_.features, input.seed);
   result.keyframe_features = int(keyframe.features.size());
   result.keyframe_ms = watch.Lap();
 
-  const std::vector<SurfFeature> current = DetectSurf(input.intensity, options_.surf);
+  const std::vector<Feature> current = DetectFeatures(input.intensity, options_.features);
   result.current_features = int(current.size());
   result.current_ms = watch.Lap();
 

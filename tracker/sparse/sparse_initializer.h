@@ -3,15 +3,15 @@
 #pragma once
 
 #include "silt/tracker/initializer.h"
+#include "silt/tracker/sparse/feature.h"
 #include "silt/tracker/sparse/keyframe_features.h"
 #include "silt/tracker/sparse/match_checks.h"
 #include "silt/tracker/sparse/pnp.h"
-#include "silt/tracker/sparse/surf.h"
 
 namespace silt::tracker {
 
 struct SparseOptions {
-  SurfOptions surf;
+  FeatureOptions features;
   MatchCheckOptions checks;
   PnpOptions pnp;
   int max_cached_keyframes = 64;
@@ -19,6 +19,10 @@ struct SparseOptions {
   // Throws silt::Error where an option is out of range.
   void Validate() const;
 };
+
+// Right matches of binary descriptors differ in up to a sixth of their bits, however near the best
+// one is: the floor under the first check's threshold is raised to that.
+SparseOptions OptionsFor(FeatureKind kind);
 
 // How many matches each step of §3.2 left, and what it took.
 struct SparseEstimate {
@@ -35,7 +39,7 @@ struct SparseEstimate {
   double match_ms = 0, check_ms = 0, pnp_ms = 0;
 };
 
-// §3.2: SURF in both images, FLANN matches, the three checks, and the pose from 3D-2D
+// §3.2: features in both images, matches, the three checks, and the pose from 3D-2D
 // correspondences (eq. 1). No estimate where too little is left at some step.
 class SparseInitializer : public Initializer {
  public:

@@ -39,12 +39,12 @@ bool HasDescriptor(const IntegralImage& integral, const dlib::interest_point& po
 
 // Strongest first; places break ties, so that the order never rests on the sort.
 std::vector<dlib::interest_point> Detect(const IntegralImage& integral,
-                                         const SurfOptions& options) {
+                                         const FeatureOptions& options) {
   constexpr long kOctaves = 4, kIntervals = 6, kStep = 2;  // dlib's own choice
   dlib::hessian_pyramid pyramid;
   pyramid.build_pyramid(integral, kOctaves, kIntervals, kStep);
   std::vector<dlib::interest_point> points;
-  dlib::get_interest_points(pyramid, options.detection_threshold, points);
+  dlib::get_interest_points(pyramid, options.surf_threshold, points);
   std::erase_if(points, [&](const auto& point) { return !HasDescriptor(integral, point); });
   std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
     return std::tuple(-a.score, a.center.y(), a.center.x(), a.scale) <
@@ -54,32 +54,27 @@ std::vector<dlib::interest_point> Detect(const IntegralImage& integral,
   return points;
 }
 
-SurfFeature Describe(const IntegralImage& integral, const dlib::interest_point& point) {
-  SurfFeature feature;
+Feature Describe(const IntegralImage& integral, const dlib::interest_point& point) {
+  Feature feature;
   feature.pixel = {point.center.x(), point.center.y()};
   feature.scale = point.scale;
   feature.angle_rad = dlib::compute_dominant_angle(integral, point.center, point.scale);
   dlib::matrix<double, 64, 1> values;
   dlib::compute_surf_descriptor(integral, point.center, point.scale, feature.angle_rad, values);
-  std::copy(values.begin(), values.end(), feature.descriptor.begin());
+  feature.descriptor.assign(values.begin(), values.end());
   return feature;
 }
 
 }  // namespace
 
-void SurfOptions::Validate() const {
-  if (max_features < 1) throw Error("surf: max_features must be at least 1");
-  if (!(detection_threshold > 0)) throw Error("surf: detection_threshold must be positive");
-}
-
-std::vector<SurfFeature> DetectSurf(const Image<float>& intensity, const SurfOptions& options) {
+std::vector<Feature> DetectSurf(const Image<float>& intensity, const FeatureOptions& options) {
   options.Validate();
   constexpr int kSmallest = 64;  // two windows of the smallest scale
   if (intensity.width() < kSmallest || intensity.height() < kSmallest) return {};
   IntegralImage integral;
   Integrate(intensity, &integral);
   const std::vector<dlib::interest_point> points = Detect(integral, options);
-  std::vector<SurfFeature> features(points.size());
+  std::vector<Feature> features(points.size());
   // Describing a feature takes 10–30 µs: batches of 32 keep the threads' overhead small.
   constexpr std::size_t kBatch = 32;
   ParallelFor(int((points.size() + kBatch - 1) / kBatch), [&](int batch) {

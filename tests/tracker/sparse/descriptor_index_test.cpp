@@ -13,13 +13,14 @@
 namespace silt::tracker {
 namespace {
 
-std::vector<SurfFeature> RandomFeatures(int count, std::uint64_t seed, double noise = 0,
-                                        std::uint64_t noise_seed = 0) {
+std::vector<Feature> RandomFeatures(int count, std::uint64_t seed, double noise = 0,
+                                    std::uint64_t noise_seed = 0) {
   const CounterRandom random(seed), jitter(noise_seed, 1);
-  std::vector<SurfFeature> features(static_cast<std::size_t>(count));
+  std::vector<Feature> features(static_cast<std::size_t>(count));
   std::uint64_t draw = 0;
-  for (SurfFeature& feature : features) {
+  for (Feature& feature : features) {
     double squared = 0;
+    feature.descriptor.resize(64);
     for (float& value : feature.descriptor) {
       value = float(random.Normal(draw) / 8 + noise * jitter.Normal(draw));
       squared += double(value) * double(value);
@@ -46,7 +47,7 @@ TEST(DescriptorIndex, FindsTheTwins) {
 
 TEST(DescriptorIndex, KeepsTheNearestOfSeveralClaims) {
   const auto keyframe = RandomFeatures(40, 1);
-  std::vector<SurfFeature> current = {keyframe[5], keyframe[5], keyframe[9], keyframe[5]};
+  std::vector<Feature> current = {keyframe[5], keyframe[5], keyframe[9], keyframe[5]};
   current[0].descriptor[0] += 0.05f;
   const auto matches = DescriptorIndex(keyframe, 3).Match(current);
   EXPECT_EQ(matches, (std::vector<FeatureMatch>{{5, 1, 0}, {9, 2, 0}}));
@@ -72,6 +73,25 @@ TEST(DescriptorIndex, LeavesTheGeneratorAsItWas) {
   const DescriptorIndex index(RandomFeatures(100, 1), 5);
   index.Match(RandomFeatures(10, 2));
   EXPECT_EQ(cv::theRNG().state, before);
+}
+
+// 256 bits each, drawn at random, of which the current ones have one or two flipped.
+TEST(DescriptorIndex, FindsBinaryTwinsAndTheirDistances) {
+  std::vector<Feature> keyframe(100);
+  const CounterRandom random(5);
+  for (std::size_t i = 0; i < keyframe.size(); ++i) {
+    for (int byte = 0; byte < 32; ++byte) {
+      keyframe[i].bits.push_back(std::uint8_t(random.Bits(32 * i + std::size_t(byte))));
+    }
+  }
+  std::vector<Feature> current = keyframe;
+  for (std::size_t i = 0; i < current.size(); ++i) current[i].bits[3] ^= i % 2 == 0 ? 1 : 9;
+  const auto matches = DescriptorIndex(keyframe, 3).Match(current);
+  ASSERT_EQ(matches.size(), 100u);
+  for (const FeatureMatch& match : matches) {
+    EXPECT_EQ(match.keyframe, match.current);
+    EXPECT_FLOAT_EQ(match.distance, 2 * std::sqrt(match.current % 2 == 0 ? 1 / 256.f : 2 / 256.f));
+  }
 }
 
 TEST(DescriptorIndex, MatchesNothingWithNothing) {

@@ -17,8 +17,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-SurfFeature At(double x, double y) {
-  SurfFeature feature;
+Feature At(double x, double y) {
+  Feature feature;
   feature.pixel = {x, y};
   feature.scale = 2;
   return feature;
@@ -42,8 +42,8 @@ TEST(NearMatches, HaveAFloorUnderTheThreshold) {
 
 TEST(CorrelatedMatches, LookAlikeAroundTheFeatures) {
   const View view = ViewOfPlanes(kIclNuimCamera, {});
-  const std::vector<SurfFeature> keyframe = {At(400, 200), At(450.5, 300.25), At(500, 100)};
-  const std::vector<SurfFeature> current = {At(400, 200), At(450.5, 300.25), At(420, 330)};
+  const std::vector<Feature> keyframe = {At(400, 200), At(450.5, 300.25), At(500, 100)};
+  const std::vector<Feature> current = {At(400, 200), At(450.5, 300.25), At(420, 330)};
   const std::vector<FeatureMatch> matches = {{0, 0, 0.1f}, {2, 2, 0.1f}, {1, 1, 0.1f}};
   const auto kept =
       KeepCorrelatedMatches(matches, {view.intensity, keyframe}, {view.intensity, current});
@@ -55,7 +55,7 @@ TEST(CorrelatedMatches, LookAlikeAroundTheFeatures) {
 
 // Points in front of two cameras, their images, and three matches moved off their epipolar lines.
 struct TwoViews {
-  std::vector<SurfFeature> keyframe, current;
+  std::vector<Feature> keyframe, current;
   std::vector<FeatureMatch> matches;
 };
 
@@ -94,7 +94,7 @@ TEST(EpipolarMatches, NeedEightAndSurviveDegenerateOnes) {
   EXPECT_EQ(KeepEpipolarMatches(views.matches, views.keyframe, views.current).size(), 8u);
   const std::vector<FeatureMatch> seven(views.matches.begin(), views.matches.end() - 1);
   EXPECT_THAT(KeepEpipolarMatches(seven, views.keyframe, views.current), IsEmpty());
-  const std::vector<SurfFeature> one_place(8, At(100, 100));
+  const std::vector<Feature> one_place(8, At(100, 100));
   EXPECT_NO_THROW(KeepEpipolarMatches(views.matches, one_place, one_place));
 }
 

@@ -139,7 +139,7 @@ TEST(SparseInitializer, RejectsOptionsOutOfRange) {
   options.max_cached_keyframes = 0;
   EXPECT_THROW(SparseInitializer{options}, Error);
   options = {};
-  options.surf.max_features = 0;
+  options.features.max_features = 0;
   EXPECT_THROW(SparseInitializer{options}, Error);
 }
 

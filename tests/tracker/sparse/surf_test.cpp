@@ -26,7 +26,7 @@ Image<float> Spot(double u, double v, double sigma) {
   return image;
 }
 
-bool Same(const std::vector<SurfFeature>& a, const std::vector<SurfFeature>& b) {
+bool Same(const std::vector<Feature>& a, const std::vector<Feature>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
     return p.pixel.x == q.pixel.x && p.pixel.y == q.pixel.y && p.scale == q.scale &&
            p.angle_rad == q.angle_rad && p.descriptor == q.descriptor;
@@ -58,12 +58,12 @@ TEST(Surf, GivesUnitDescriptorsAndKeepsTheStrongest) {
   const View view = ViewOfPlanes(kIclNuimCamera, {});
   const auto all = DetectSurf(view.intensity);
   ASSERT_GT(all.size(), 300u);
-  for (const SurfFeature& feature : all) {
+  for (const Feature& feature : all) {
     double squared = 0;
     for (float value : feature.descriptor) squared += double(value) * double(value);
     EXPECT_NEAR(squared, 1, 1e-5);
   }
-  SurfOptions few;
+  FeatureOptions few;
   few.max_features = 50;
   const auto strongest = DetectSurf(view.intensity, few);
   EXPECT_TRUE(Same(strongest, {all.begin(), all.begin() + 50}));
@@ -92,7 +92,7 @@ TEST(Surf, SurvivesValuesOutOfRange) {
   image(20, 20) = std::numeric_limits<float>::quiet_NaN();
   image(25, 20) = std::numeric_limits<float>::infinity();
   image(30, 20) = -1e30f;
-  for (const SurfFeature& feature : DetectSurf(image)) {
+  for (const Feature& feature : DetectSurf(image)) {
     EXPECT_TRUE(std::isfinite(feature.pixel.x + feature.pixel.y + feature.scale));
     EXPECT_TRUE(std::isfinite(feature.descriptor[0]));
   }
@@ -100,9 +100,9 @@ TEST(Surf, SurvivesValuesOutOfRange) {
 
 TEST(Surf, RejectsOptionsOutOfRange) {
   const Image<float> image(100, 100);
-  EXPECT_THROW(DetectSurf(image, {0, 1}), Error);
-  EXPECT_THROW(DetectSurf(image, {100, 0}), Error);
-  EXPECT_THROW(DetectSurf(image, {100, std::nan("")}), Error);
+  EXPECT_THROW(DetectSurf(image, {FeatureKind::kSurf, 0}), Error);
+  EXPECT_THROW(DetectSurf(image, {FeatureKind::kSurf, 100, 0}), Error);
+  EXPECT_THROW(DetectSurf(image, {FeatureKind::kSurf, 100, std::nan("")}), Error);
 }
 
 }  // namespace

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/experiments/recovery.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "silt/core/color.h"
+#include "silt/core/pyramid.h"
+#include "silt/experiments/interrupt.h"
+#include "silt/experiments/progress.h"
+#include "silt/experiments/statistics.h"
+#include "silt/experiments/tracker_options.h"
+#include "silt/tracker/coarse_initializer.h"
+#include "silt/tracker/cpu_backend.h"
+
+namespace silt::experiments {
+namespace {
+
+// Solves of the finest level alone, enough to come to rest.
+constexpr int kSingleLevelSolves = 100;
+// How long such an alignment takes, in those of a whole pyramid, for the time left.
+constexpr double kSingleLevelWork = 5;
+
+struct Scheme {
+  std::string preset, name;
+  int starts = 0;
+  tracker::AlignmentOptions alignment = {};
+
+  double Work() const { return starts * (name == kSingleLevelScheme ? kSingleLevelWork : 1); }
+};
+
+std::vector<Scheme> Schemes(const RecoveryOptions& options) {
+  std::vector<Scheme> schemes;
+  for (const std::string& preset : options.presets) {
+    const tracker::TrackerOptions tracker = PresetOptions(preset);
+    const bool wide = !tracker.always_initialize;
+    if (wide) schemes.push_back({preset, kWideScheme, options.starts, tracker.alignment});
+    schemes.push_back(
+        {preset, kPyramidScheme, wide ? options.comparison : options.starts, tracker.alignment});
+    schemes.push_back({preset, kSingleLevelScheme, options.comparison, tracker.alignment});
+    schemes.back().alignment.max_iterations = {kSingleLevelSolves};
+  }
+  std::erase_if(schemes, [](const Scheme& scheme) { return scheme.starts == 0; });
+  return schemes;
+}
+
+// The pairs made ready for a scheme.
+class ReadyPairs {
+ public:
+  ReadyPairs(const std::vector<FramePair>& pairs, const tracker::Backend& backend,
+             const Scheme& scheme)
+      : pairs_(pairs), scheme_(scheme), wide_(tracker::MakeCpuBackend(), tracker::WideStart()) {
+    for (const FramePair& pair : pairs) {
+      alignments_.emplace_back(backend, pair, scheme.alignment);
+      tracker::Keyframe keyframe;
+      keyframe.frame = pair.reference;
+      keyframe.intensity = GrayFromRgb(pair.reference.rgb);
+      keyframes_.push_back(std::move(keyframe));
+      currents_.push_back(GrayFromRgb(pair.current.rgb));
+    }
+  }
+
+  SuccessRate Measure(const RandomStarts& starts) {
+    std::vector<SE3d> truths;
+    for (const PairAlignment& pair : alignments_) truths.push_back(pair.truth());
+    return MeasureSuccessRate(truths, starts, [&](std::size_t pair, const SE3d& start) {
+      return alignments_[pair].Align(Widened(pair, start), scheme_.alignment);
+    });
+  }
+
+ private:
+  SE3d Widened(std::size_t pair, const SE3d& start) {
+    if (scheme_.name != kWideScheme) return start;
+    const FramePair& frames = pairs_[pair];
+    return wide_
+        .Estimate({keyframes_[pair], frames.current, currents_[pair], frames.camera, 0, 0, start})
+        .current_from_keyframe.value_or(start);
+  }
+
+  const std::vector<FramePair>& pairs_;
+  const Scheme& scheme_;
+  tracker::CoarseInitializer wide_;
+  std::vector<PairAlignment> alignments_;
+  std::vector<tracker::Keyframe> keyframes_;
+  std::vector<Image<float>> currents_;
+};
+
+template <typename... Values>
+std::string Line(const char* format, Values... values) {
+  char text[240];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+Statistics DepthsOf(const FramePair& pair) {
+  std::vector<double> depths;
+  for (const float z : pair.reference.depth_m) {
+    if (IsMeasured(z)) depths.push_back(double(z));
+  }
+  return depths.empty() ? Statistics{} : Summarize(std::move(depths));
+}
+
+}  // namespace
+
+std::string RecoverySet::Name() const {
+  return Line("%s %.0f cm and %.0f deg", up_to ? "up to" : "at", 100 * bound.distance_m,
+              bound.angle_deg);
+}
+
+std::vector<Recovery> MeasureRecovery(const std::vector<FramePair>& pairs,
+                                      const tracker::Backend& backend,
+                                      const RecoveryOptions& options) {
+  const std::vector<Scheme> schemes = Schemes(options);
+  double total = 0;
+  for (const Scheme& scheme : schemes) total += scheme.Work();
+  Progress progress(total * double(std::size(kRecoverySets)));
+  std::vector<Recovery> recoveries;
+  for (const Scheme& scheme : schemes) {
+    ReadyPairs ready(pairs, backend, scheme);
+    const int count = std::max(1, scheme.starts / int(pairs.size()));
+    for (const RecoverySet& set : kRecoverySets) {
+      ThrowIfInterrupted();
+      recoveries.push_back({scheme.preset, scheme.name, set,
+                            ready.Measure({set.bound, count, options.seed, set.up_to})});
+      progress.Advance(scheme.Work(), scheme.preset + " from " + set.Name());
+    }
+  }
+  return recoveries;
+}
+
+Json RecoveryRows(const std::vector<Recovery>& recoveries) {
+  Json rows = Json::array();
+  for (const Recovery& recovery : recoveries) {
+    const SuccessRate& s = recovery.success;
+    const Interval interval = WilsonInterval(s.recovered, s.starts);
+    rows.push_back({{"preset", recovery.preset},
+                    {"scheme", recovery.scheme},
+                    {"set", recovery.set.Name()},
+                    {"distance_m", recovery.set.bound.distance_m},
+                    {"angle_deg", recovery.set.bound.angle_deg},
+                    {"up_to", recovery.set.up_to},
+                    {"aim", recovery.set.aim},
+                    {"starts", s.starts},
+                    {"recovered", s.recovered},
+                    {"rate", s.rate()},
+                    {"rate_low", interval.low},
+                    {"rate_high", interval.high},
+                    {"median_solves", s.median_solves}});
+  }
+  return rows;
+}
+
+Json PairRows(const std::vector<FramePair>& pairs) {
+  Json rows = Json::array();
+  for (const FramePair& pair : pairs) {
+    const Statistics depth = DepthsOf(pair);
+    const PoseDifference motion = Difference(pair.current_from_reference, SE3d{});
+    rows.push_back({{"reference_time_s", pair.reference.time_s},
+                    {"current_time_s", pair.current.time_s},
+                    {"motion_m", motion.distance_m},
+                    {"motion_deg", motion.angle_deg},
+                    {"min_depth_m", depth.min},
+                    {"median_depth_m", depth.median},
+                    {"max_depth_m", depth.max}});
+  }
+  return rows;
+}
+
+std::string FormatRecovery(const std::vector<Recovery>& recoveries,
+                           const std::vector<FramePair>& pairs) {
+  std::string text =
+      "Refinement alone, without features, from random starts between frames with these depths:\n";
+  text += "  reference s  motion cm, deg  depth m: min, median, max\n";
+  for (const FramePair& pair : pairs) {
+    const Statistics depth = DepthsOf(pair);
+    const PoseDifference motion = Difference(pair.current_from_reference, SE3d{});
+    text += Line("  %11.2f  %8.2f %6.2f  %12.3f %7.3f %7.3f\n", pair.reference.time_s,
+                 100 * motion.distance_m, motion.angle_deg, depth.min, depth.median, depth.max);
+  }
+  text += Line("Recovered to %.0f mm and %.1f deg (95 %% interval):\n", 1e3 * kRecovered.distance_m,
+               kRecovered.angle_deg);
+  for (const Recovery& recovery : recoveries) {
+    const SuccessRate& s = recovery.success;
+    const Interval interval = WilsonInterval(s.recovered, s.starts);
+    text += Line("  %-9s %-12s %-22s %5d of %-5d %5.1f %% (%.1f to %.1f)\n",
+                 recovery.preset.c_str(), recovery.scheme.c_str(), recovery.set.Name().c_str(),
+                 s.recovered, s.starts, 100 * s.rate(), 100 * interval.low, 100 * interval.high);
+  }
+  return text;
+}
+
+}  // namespace silt::experiments
