@@ -122,6 +122,7 @@ Json AccuracyRun::ToJson() const {
           {"frames", tracking.estimate.size()},
           {"path_m", PathLength(truth)},
           {"keyframes", tracking.keyframes()},
+          {"doubtful", tracking.doubtful()},
           {"lost", tracking.lost()},
           {"position_cm", experiments::ToJson(statistics.position_cm)},
           {"orientation_deg",

@@ -71,7 +71,7 @@ std::string ErrorCsv(const AccuracyRun& run) {
         (180 / std::numbers::pi) * (first.Conjugate() * truth.rotation).Normalized().Log();
     csv += Formatted("%.9f,%.9f,%.9f,%.9f,%.9f,%d,%d", e.time_s, e.position_cm, e.orientation_deg.x,
                      e.orientation_deg.y, e.orientation_deg.z, int(run.tracking.is_keyframe[i]),
-                     int(run.tracking.is_lost[i]));
+                     int(run.tracking.status[i] == tracker::TrackingStatus::kLost));
     csv += Formatted(",%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n", p.x, p.y, p.z, q.x, q.y,
                      q.z, turn.x, turn.y, turn.z);
   }

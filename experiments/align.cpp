@@ -86,12 +86,13 @@ AlignedPair AlignFiles(const PairFiles& files, const AlignSetup& setup) {
   const tracker::TrackedFrame tracked = tracker.Track(current, expected);
   const tracker::AlignmentResult& alignment = tracked.alignment;
   AlignedPair pair;
-  pair.tracked = tracked.status == tracker::TrackingStatus::kTracked;
-  pair.message = pair.tracked ? "" : tracked.message;
-  const SE3d pose = pair.tracked ? alignment.current_from_reference : SE3d{};
+  pair.status = tracked.status;
+  const bool alright = pair.status == tracker::TrackingStatus::kTracked;
+  pair.message = alright ? "" : tracked.message;
+  const SE3d pose = !pair.lost() ? alignment.current_from_reference : SE3d{};
   pair.current_from_reference = setup.mirrored ? Mirrored(pose) : pose;
   pair.covariance = {};
-  if (pair.tracked) {
+  if (!pair.lost()) {
     pair.covariance = setup.mirrored ? Mirrored(alignment.covariance) : alignment.covariance;
   }
   pair.residual = std::sqrt(alignment.final_cost().mean_square());
@@ -102,7 +103,7 @@ AlignedPair AlignFiles(const PairFiles& files, const AlignSetup& setup) {
 }
 
 Json ToJson(const AlignedPair& pair) {
-  return {{"status", pair.tracked ? "tracked" : "lost"},
+  return {{"status", tracker::Name(pair.status)},
           {"message", pair.message},
           {"current_from_reference", Matrix(pair.current_from_reference)},
           {"tum", TumLine(pair.current_from_reference)},
@@ -127,10 +128,10 @@ std::string Format(const AlignedPair& pair) {
                 std::sqrt(c[0]), std::sqrt(c[7]), std::sqrt(c[14]), std::sqrt(c[21]),
                 std::sqrt(c[28]), std::sqrt(c[35]));
   text += "tx ty tz qx qy qz qw: " + TumLine(pair.current_from_reference) + "\n";
-  if (pair.tracked) text += line;
+  if (!pair.lost()) text += line;
   std::snprintf(line, sizeof line, ", residual %.5f, %d iterations, %.1f ms\n", pair.residual,
                 pair.iterations, pair.milliseconds);
-  return text + (pair.tracked ? "tracked" : pair.message) + line;
+  return text + (pair.message.empty() ? tracker::Name(pair.status) : pair.message) + line;
 }
 
 }  // namespace silt::experiments

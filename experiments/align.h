@@ -24,12 +24,13 @@ struct AlignSetup {
 
 struct AlignedPair {
   SE3d current_from_reference;
-  bool tracked = false;
-  std::string message;                // one line where lost
+  tracker::TrackingStatus status = tracker::TrackingStatus::kLost;
+  std::string message;                // one line unless tracked
   std::array<double, 36> covariance;  // of ξ = (ω, v), left, row by row; zeros where lost
   double residual = 0;                // root mean square of the intensity's, in [0, 1]
   double inverse_depth_residual = 0;  // scale of those, 1/m; 0 where not compared
   int iterations = 0;
+  bool lost() const { return status == tracker::TrackingStatus::kLost; }
   double milliseconds = 0;  // from images in memory to the pose, both pyramids included
 };
 

@@ -40,5 +40,6 @@ void AddInitializationExperiment(CLI::App& experiments, const Invocation& invoca
 void AddLightExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddPhotoConsistencyExperiment(CLI::App& experiments, const Invocation& invocation);
 void AddTimingExperiment(CLI::App& experiments, const Invocation& invocation);
+void AddTrustExperiment(CLI::App& experiments, const Invocation& invocation);
 
 }  // namespace silt::experiments

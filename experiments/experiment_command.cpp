@@ -17,6 +17,7 @@ void AddExperimentCommand(CLI::App& program, const Invocation& invocation) {
   AddLightExperiment(*command, invocation);
   AddPhotoConsistencyExperiment(*command, invocation);
   AddTimingExperiment(*command, invocation);
+  AddTrustExperiment(*command, invocation);
 }
 
 }  // namespace silt::experiments

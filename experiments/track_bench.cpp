@@ -50,7 +50,7 @@ PairRun RunPreset(const std::string& preset, const Backend& backend, const Frame
   const tracker::TrackedFrame first = tracker.Track(pair.reference);
   const tracker::TrackedFrame tracked = tracker.Track(pair.current, SE3d{});
   PairRun run;
-  run.found = tracked.status == tracker::TrackingStatus::kTracked;
+  run.found = tracked.status != tracker::TrackingStatus::kLost;
   run.milliseconds = first.times.total_ms + tracked.times.total_ms;
   run.stages = tracked.times;
   run.keyframe_ms = first.times.total_ms;

@@ -122,10 +122,26 @@ Json ToJson(const tracker::StageTimes& times) {
           {"update", times.update_ms},     {"total", times.total_ms}};
 }
 
+// A row per frame; the covariance is that of TrackedFrame.
+Json FrameRows(const TrackingResult& r) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < r.estimate.size(); ++i) {
+    const tracker::Covariance6& c = r.covariance[i];
+    rows.push_back({{"time_s", r.estimate[i].time_s},
+                    {"status", tracker::Name(r.status[i])},
+                    {"keyframe", bool(r.is_keyframe[i])},
+                    {"position_deviation_m", std::sqrt(c[21] + c[28] + c[35])},
+                    {"orientation_deviation_rad", std::sqrt(c[0] + c[7] + c[14])},
+                    {"covariance", c}});
+  }
+  return rows;
+}
+
 Json Summary(const Tracked& tracked, const std::optional<Evaluation>& evaluation) {
   const TrackingResult& r = tracked.result;
   Json json{{"frames", r.estimate.size()},
             {"keyframes", r.keyframes()},
+            {"doubtful", r.doubtful()},
             {"lost", r.lost()},
             {"ms_per_frame", r.mean_times.total_ms},
             {"stages_ms", ToJson(r.mean_times)},
@@ -152,14 +168,16 @@ void Run(Options options, const Invocation& invocation) {
   WriteTumTrajectory(options.out, result.estimate);
   if (!options.json.empty()) {
     Json json = Summary(tracked, evaluation);
+    json["per_frame"] = FrameRows(result);
     const Json config{{"source", tracked.source}, {"tracker", ToJson(options.tracker)}};
     json["manifest"] = MakeManifest(invocation.command_line, config, options.tracker.seed);
     WriteJson(options.json, json);
   }
   if (options.json == "-") return;
   char line[200];
-  std::snprintf(line, sizeof line, "%zu frames, %d keyframes, %d lost, %.1f ms per frame: %s\n",
-                result.estimate.size(), result.keyframes(), result.lost(),
+  std::snprintf(line, sizeof line,
+                "%zu frames, %d keyframes, %d doubtful, %d lost, %.1f ms per frame: %s\n",
+                result.estimate.size(), result.keyframes(), result.doubtful(), result.lost(),
                 result.mean_times.total_ms, options.out.c_str());
   Print(line + (evaluation ? FormatEvaluation(*evaluation) : std::string()));
 }

@@ -33,9 +33,19 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("keyframes", "min_measured_depth", k.min_measured_depth);
   visit("keyframes", "metres_per_radian", k.metres_per_radian);
   visit("keyframes", "joint", k.joint);
+  visit("keyframes", "trusted_only", k.trusted_only);
+  auto& t = o.trust;
+  visit("trust", "max_unexplained_variance", t.max_unexplained_variance);
+  visit("trust", "max_depth_disagreement", t.max_depth_disagreement);
+  visit("trust", "min_inlier_ratio", t.min_inlier_ratio);
+  visit("trust", "max_uncertainty_rad", t.max_uncertainty_rad);
+  visit("trust", "doubtful_unexplained_variance", t.doubtful_unexplained_variance);
+  visit("trust", "doubtful_depth_disagreement", t.doubtful_depth_disagreement);
+  visit("trust", "doubtful_inlier_ratio", t.doubtful_inlier_ratio);
+  visit("trust", "doubtful_overlap", t.doubtful_overlap);
+  visit("trust", "doubtful_uncertainty_rad", t.doubtful_uncertainty_rad);
   visit("", "always_initialize", o.always_initialize);
-  visit("", "max_unexplained_variance", o.max_unexplained_variance);
-  visit("", "max_depth_disagreement", o.max_depth_disagreement);
+  visit("", "relocalization_candidates", o.relocalization_candidates);
 }
 
 template <typename T>

@@ -21,7 +21,13 @@ int TrackingResult::keyframes() const {
   return int(std::count(is_keyframe.begin(), is_keyframe.end(), true));
 }
 
-int TrackingResult::lost() const { return int(std::count(is_lost.begin(), is_lost.end(), true)); }
+int TrackingResult::doubtful() const {
+  return int(std::count(status.begin(), status.end(), tracker::TrackingStatus::kDoubtful));
+}
+
+int TrackingResult::lost() const {
+  return int(std::count(status.begin(), status.end(), tracker::TrackingStatus::kLost));
+}
 
 TrackingRun::TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
                          const SE3d& first_world_from_camera)
@@ -44,7 +50,8 @@ tracker::TrackedFrame TrackingRun::Track(const Frame& frame,
   tracker::TrackedFrame tracked = tracker_.Track(frame, Expected(true_world_from_camera));
   result_.estimate.push_back({tracked.time_s, tracked.world_from_camera});
   result_.is_keyframe.push_back(tracked.new_keyframe);
-  result_.is_lost.push_back(tracked.status == tracker::TrackingStatus::kLost);
+  result_.status.push_back(tracked.status);
+  result_.covariance.push_back(tracked.covariance);
   if (!tracked.message.empty()) {
     result_.messages.push_back("frame " + std::to_string(result_.estimate.size() - 1) + ": " +
                                tracked.message);

@@ -15,13 +15,15 @@ namespace silt::experiments {
 // What a tracker made of a sequence, frame by frame.
 struct TrackingResult {
   Trajectory estimate;
-  std::vector<bool> is_keyframe;      // per frame: it became one
-  std::vector<bool> is_lost;          // per frame; its pose is then the last tracked one
-  tracker::StageTimes mean_times;     // per frame
-  std::vector<std::string> messages;  // one line each, for people
+  std::vector<bool> is_keyframe;                 // per frame: it became one
+  std::vector<tracker::TrackingStatus> status;   // per frame
+  std::vector<tracker::Covariance6> covariance;  // per frame, see TrackedFrame
+  tracker::StageTimes mean_times;                // per frame
+  std::vector<std::string> messages;             // one line each, for people
 
   int keyframes() const;
-  int lost() const;
+  int doubtful() const;
+  int lost() const;  // their poses are the last that was not
 };
 
 // One tracker that is fed a sequence.

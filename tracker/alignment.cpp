@@ -28,10 +28,10 @@ constexpr int kMinPixels = 30;
 // 16-bit files round to.
 constexpr double kLeastIntensityScale = 0.2 / 255, kLeastInverseDepthScale = 1e-4;  // 1/m
 
-Matrix6 HessianMatrix(const NormalEquations& equations) {
+Matrix6 SymmetricMatrix(const std::array<double, 21>& upper) {
   Matrix6 h;
   for (int i = 0, k = 0; i < 6; ++i) {
-    for (int j = i; j < 6; ++j, ++k) h(i, j) = h(j, i) = equations.hessian[k];
+    for (int j = i; j < 6; ++j, ++k) h(i, j) = h(j, i) = upper[k];
   }
   return h;
 }
@@ -47,7 +47,7 @@ void FixTranslation(Matrix6* hessian, Vector6* gradient) {
 // dξ = −(JᵀJ + αI)⁻¹·Jᵀr (eq. 17, damped), or nothing where it has no finite solution.
 std::optional<Twistd> Solve(const NormalEquations& equations, double damping, bool rotation_only) {
   Vector6 gradient = Eigen::Map<const Vector6>(equations.gradient.data());
-  Matrix6 hessian = HessianMatrix(equations);
+  Matrix6 hessian = SymmetricMatrix(equations.hessian);
   if (rotation_only) FixTranslation(&hessian, &gradient);
   const Matrix6 damped = hessian + damping * Matrix6::Identity();
   if (!damped.allFinite() || !gradient.allFinite()) return std::nullopt;
@@ -62,7 +62,7 @@ double UpdateNorm(const Twistd& d) { return std::sqrt(Dot(d.omega, d.omega) + Do
 // Whether the equations tell the six parameters apart: the pivots of JᵀJ, scaled to a unit
 // diagonal, stay clear of rounding.
 bool DeterminesPose(const NormalEquations& equations) {
-  const Matrix6 h = HessianMatrix(equations);
+  const Matrix6 h = SymmetricMatrix(equations.hessian);
   if (!h.allFinite() || h.diagonal().minCoeff() <= 0) return false;
   const Vector6 scale = h.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::LDLT<Matrix6> ldlt(Matrix6(scale.asDiagonal() * h * scale.asDiagonal()));
@@ -189,13 +189,19 @@ class LevenbergMarquardt {
   void EstimateScale(int level) {
     constexpr int rounds = 4;
     for (int i = 0; i < rounds; ++i) {
-      const bool near = SetScale(equations_.intensity, kLeastIntensityScale, &norm_.intensity);
+      const bool near = SetScale(IntensitySpread(), kLeastIntensityScale, &norm_.intensity);
       const bool near_too =
           !norm_.use_depth ||
           SetScale(equations_.inverse_depth, kLeastInverseDepthScale, &norm_.inverse_depth);
       if (near && near_too) return;
       Linearize(level);
     }
+  }
+
+  // Before there are any bounds, the residuals are squared alone: s = 1.
+  NormalEquations::Spread IntensitySpread() const {
+    if (norm_.robust()) return equations_.intensity;
+    return {equations_.cost.squares, equations_.cost.pixels};
   }
 
   // Whether the scale was known well enough already. Without any residuals nothing is known.
@@ -258,14 +264,25 @@ class LevenbergMarquardt {
       Fail("the images' texture does not determine a pose");
   }
 
-  // Depth residuals come with weights in these units already.
+  // Of a residual that knows nothing of its neighbours. Depth residuals come with weights in these
+  // units already.
+  double ResidualVariance() const {
+    if (norm_.use_depth) return 1;
+    return options_.robust() ? result_.intensity_scale * result_.intensity_scale
+                             : equations_.cost.mean_square();
+  }
+
+  // C = κ·H⁻¹ with κ = tr(H⁻¹·Σg·gᵀ)/6: the variance of the residuals by what the gradients of
+  // tiles scatter, so that neighbours that err together count for fewer. A robust norm's curvature
+  // is less than H, which holds weights alone.
   void SetCovariance() {
-    const double variance = norm_.use_depth     ? 1
-                            : options_.robust() ? result_.intensity_scale * result_.intensity_scale
-                                                : equations_.cost.mean_square();
-    const Matrix6 inverse = HessianMatrix(equations_).ldlt().solve(Matrix6::Identity());
+    const double loss = options_.robust() ? CurvatureLoss(options_.robust_scale) : 1;
+    const Matrix6 inverse = SymmetricMatrix(equations_.hessian).ldlt().solve(Matrix6::Identity());
+    const double scattered = (inverse * SymmetricMatrix(equations_.scatter)).trace() / 6;
+    const double variance = scattered > 0 ? scattered : ResidualVariance();
     for (int i = 0; i < 36; ++i) {
-      result_.covariance[i] = variance * 0.5 * (inverse(i / 6, i % 6) + inverse(i % 6, i / 6));
+      result_.covariance[i] =
+          variance * loss * loss * 0.5 * (inverse(i / 6, i % 6) + inverse(i % 6, i / 6));
     }
   }
 

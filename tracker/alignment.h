@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "silt/tracker/backend.h"
 #include "silt/tracker/normal_equations.h"
 #include "silt/tracker/options.h"
+#include "silt/tracker/pose_covariance.h"
 
 namespace silt::tracker {
 
@@ -49,10 +49,9 @@ struct AlignmentResult {
   // The residuals' own scales where the norm is robust, else 0: σ of the intensity, and of the
   // inverse depth in 1/m, 0 where it was not compared.
   double intensity_scale = 0, inverse_depth_scale = 0;
-  // Of ξ = (ω, v), applied on the left of the pose: the inverse of the equations' matrix in units
-  // of the residuals' variance, row by row, in rad and m. Zeros where not ok. Residuals count as
-  // independent, which neighbouring pixels are not quite.
-  std::array<double, 36> covariance{};
+  // Of ξ = (ω, v), applied on the left of the pose, which is to say in the current camera's frame.
+  // Zeros where not ok.
+  Covariance6 covariance{};
 
   // ½Σr² at the finest level that was run.
   PhotometricCost final_cost() const {

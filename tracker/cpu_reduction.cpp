@@ -80,8 +80,18 @@ void ForTiles(const simd::LevelView& view, const Work& work) {
   for (int i = 0; i < Tiles(view); ++i) tile(i);
 }
 
+using Scatter = std::array<double, 21>;
+
+// Adds g·gᵀ of a tile's gradient, which follows the Hessian.
+void AddTo(Scatter* total, const Sums& tile) {
+  const double* g = tile.data() + total->size();
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j, ++k) (*total)[k] += g[i] * g[j];
+  }
+}
+
 // Sums over all rows: tile by tile in parallel, then the tiles in order.
-Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view) {
+Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view, Scatter* scatter = nullptr) {
   Sums total{};
   // No pixel of a smaller image has four pixels around it.
   if (view.width < 2 || view.height < 2) return total;
@@ -96,6 +106,7 @@ Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view) {
   });
   for (int i = 0; i < Tiles(view); ++i) {
     for (int k = 0; k < simd::kSumCount; ++k) total[k] += tiles[i][k];
+    if (scatter) AddTo(scatter, tiles[i]);
   }
   return total;
 }
@@ -123,8 +134,9 @@ NormalEquations CpuReduction::Equations(const LevelImages& images,
                                         const SE3d& current_from_reference,
                                         const ResidualNorm& norm) const {
   SILT_CHECK(!norm.use_depth || images.current_inverse_depth != nullptr);
-  const Sums sums = Reduce(KernelFor(kernels_, norm), ViewOf(images, current_from_reference, norm));
   NormalEquations equations;
+  const Sums sums = Reduce(KernelFor(kernels_, norm), ViewOf(images, current_from_reference, norm),
+                           &equations.scatter);
   std::copy_n(sums.begin(), equations.hessian.size(), equations.hessian.begin());
   std::copy_n(sums.begin() + equations.hessian.size(), equations.gradient.size(),
               equations.gradient.begin());

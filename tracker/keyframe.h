@@ -8,6 +8,7 @@
 #include "silt/core/image.h"
 #include "silt/core/se3.h"
 #include "silt/tracker/options.h"
+#include "silt/tracker/pose_covariance.h"
 
 namespace silt::tracker {
 
@@ -15,8 +16,9 @@ namespace silt::tracker {
 struct Keyframe {
   int id = 0;  // counts from 0 in the order of creation
   Frame frame;
-  Image<float> intensity;  // of frame.rgb, in [0, 1]
-  SE3d world_from_camera;  // T_wr, as estimated
+  Image<float> intensity;    // of frame.rgb, in [0, 1]
+  SE3d world_from_camera;    // T_wr, as estimated
+  Covariance6 covariance{};  // of it, in its camera's frame
 };
 
 // Indices of the `count` keyframes, or fewer where there are not so many, whose cameras are nearest

@@ -7,8 +7,7 @@
 
 #include "silt/core/color.h"
 #include "silt/core/error.h"
-#include "silt/core/parallel.h"
-#include "silt/core/pyramid.h"
+#include "silt/tracker/relocalization.h"
 #include "silt/tracker/stopwatch.h"
 
 namespace silt::tracker {
@@ -20,57 +19,6 @@ void CheckSize(const char* what, int width, int height, const PinholeCamera& cam
               "x" + std::to_string(height) + " pixels and the camera " +
               std::to_string(camera.width) + "x" + std::to_string(camera.height) +
               "; give images of the camera's size");
-}
-
-// What a keyframe's images are like.
-struct ImageFacts {
-  double measured = 0;          // pixels with a depth
-  double inverse_depths = 0;    // their sum, 1/m
-  double sum = 0, squares = 0;  // of the intensity
-
-  ImageFacts& operator+=(const ImageFacts& other) {
-    measured += other.measured;
-    inverse_depths += other.inverse_depths;
-    sum += other.sum;
-    squares += other.squares;
-    return *this;
-  }
-};
-
-// Several sums side by side, so that no addition waits for the one before it.
-ImageFacts FactsOfRow(const float* intensity, const float* depth_m, int width) {
-  constexpr int kSums = 8;
-  ImageFacts sums[kSums], total;
-  for (int x = 0; x < width; ++x) {
-    ImageFacts& facts = sums[x % kSums];
-    const bool measured = IsMeasured(depth_m[x]);
-    facts.measured += measured ? 1 : 0;
-    facts.inverse_depths += measured ? 1 / double(depth_m[x]) : 0;
-    facts.sum += double(intensity[x]);
-    facts.squares += double(intensity[x]) * double(intensity[x]);
-  }
-  for (const ImageFacts& facts : sums) total += facts;
-  return total;
-}
-
-// Row by row in parallel, then the rows in order.
-ImageFacts FactsOf(const Image<float>& intensity, const Image<float>& depth_m) {
-  std::vector<ImageFacts> rows(std::size_t(intensity.height()));
-  ParallelFor(intensity.height(), [&](int y) {
-    rows[std::size_t(y)] = FactsOfRow(intensity.row(y), depth_m.row(y), intensity.width());
-  });
-  ImageFacts total;
-  for (const ImageFacts& row : rows) total += row;
-  return total;
-}
-
-double MeanInverseDepth(const ImageFacts& facts) {
-  return facts.measured > 0 ? facts.inverse_depths / facts.measured : 0;
-}
-
-double Variance(const ImageFacts& facts, double pixels) {
-  const double mean = facts.sum / pixels;
-  return std::max(0.0, facts.squares / pixels - mean * mean);
 }
 
 }  // namespace
@@ -134,17 +82,57 @@ void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity
   const SE3d start = expected.Inverse() * keyframe.world_from_camera;
   if (options_.always_initialize) Initialize(keyframe, start, frame, intensity, result);
   Refine(nearest, *current, result->initial.current_from_keyframe.value_or(start), result);
-  if (result->status != TrackingStatus::kTracked && !options_.always_initialize &&
-      Initialize(keyframe, start, frame, intensity, result)) {
-    Refine(nearest, *current, *result->initial.current_from_keyframe, result);
+  if (result->status == TrackingStatus::kLost) {
+    velocity_.reset();
+    Relocalize(frame, intensity, *current, result);
+  } else {
+    Accept(result);
   }
-  if (result->status != TrackingStatus::kTracked) {
+}
+
+// Tries one keyframe after the other, from where the features say or from the keyframe's own place;
+// the first that leaves no doubt is it.
+void KeyframeTracker::Relocalize(const Frame& frame, const Image<float>& intensity,
+                                 const CurrentPyramid& current, TrackedFrame* result) {
+  const TrackedFrame before = *result;
+  for (const int id : Candidates(before.keyframe_id, intensity)) {
+    const Keyframe& keyframe = keyframes_[id];
+    result->keyframe_id = id;
+    Initialize(keyframe, SE3d{}, frame, intensity, result);
+    const SE3d start = result->initial.current_from_keyframe.value_or(SE3d{});
+    const SE3d world_from_start = keyframe.world_from_camera * start.Inverse();
+    Refine(WithNeighbours(id, world_from_start), current, start, result);
+    if (result->status != TrackingStatus::kTracked) continue;
+    Accept(result);
     velocity_.reset();
     return;
   }
-  // T_wc = T_w,near · T_near,c.
-  Accept(keyframe.world_from_camera * result->alignment.current_from_reference.Inverse(),
-         frame.time_s);
+  const StageTimes times = result->times;
+  *result = before;
+  result->times = times;
+}
+
+// The nearest keyframe, then those that look most like the image.
+std::vector<int> KeyframeTracker::Candidates(int nearest, const Image<float>& intensity) const {
+  if (options_.relocalization_candidates == 0) return {};
+  std::vector<const Image<float>*> thumbnails;
+  for (const Reference& reference : references_) thumbnails.push_back(&reference.thumbnail);
+  std::vector<int> candidates{nearest};
+  for (const int id :
+       MostAlike(thumbnails, Thumbnail(intensity), options_.relocalization_candidates)) {
+    if (id != nearest) candidates.push_back(id);
+  }
+  return candidates;
+}
+
+// A keyframe, and the nearest others that are aligned with together with it.
+std::vector<int> KeyframeTracker::WithNeighbours(int id, const SE3d& world_from_camera) const {
+  std::vector<int> all{id};
+  for (const int near : NearestKeyframes(keyframes_, world_from_camera, options_.keyframes,
+                                         options_.keyframes.joint)) {
+    if (near != id && int(all.size()) < options_.keyframes.joint) all.push_back(near);
+  }
+  return all;
 }
 
 SE3d KeyframeTracker::Predicted(double time_s) const {
@@ -157,15 +145,21 @@ SE3d KeyframeTracker::Predicted(double time_s) const {
   return world_from_camera_ * SE3d::Exp({dt_s * velocity_->omega, dt_s * velocity_->v});
 }
 
-void KeyframeTracker::Accept(const SE3d& world_from_camera, double time_s) {
-  const double dt_s = time_s - time_s_;
+// T_wc = T_w,near · T_near,c.
+void KeyframeTracker::Accept(TrackedFrame* result) {
+  const Keyframe& keyframe = keyframes_[result->keyframe_id];
+  const SE3d& current_from_keyframe = result->alignment.current_from_reference;
+  const SE3d world_from_camera = keyframe.world_from_camera * current_from_keyframe.Inverse();
+  result->covariance =
+      Sum(result->alignment.covariance, InFrame(keyframe.covariance, current_from_keyframe));
+  const double dt_s = result->time_s - time_s_;
   velocity_.reset();
   if (dt_s > 0) {
     const Twistd moved = (world_from_camera_.Inverse() * world_from_camera).Log();
     velocity_ = Twistd{1 / dt_s * moved.omega, 1 / dt_s * moved.v};
   }
   world_from_camera_ = world_from_camera;
-  time_s_ = time_s;
+  time_s_ = result->time_s;
 }
 
 bool KeyframeTracker::Initialize(const Keyframe& nearest, const SE3d& expected, const Frame& frame,
@@ -200,34 +194,30 @@ void KeyframeTracker::Refine(const std::vector<int>& nearest, const CurrentPyram
   result->times.residual_ms += result->alignment.times.residual_ms;
   result->times.jacobian_ms += result->alignment.times.jacobian_ms;
   result->times.update_ms += result->alignment.times.update_ms;
-  Judge(references_[nearest.front()], result);
-}
-
-void KeyframeTracker::Judge(const Reference& reference, TrackedFrame* result) const {
-  const double left = result->alignment.final_cost().mean_square();
+  result->status = TrackingStatus::kLost;
   if (!result->alignment.ok) {
     result->message = "lost: " + result->alignment.failure;
-  } else if (left > options_.max_unexplained_variance * reference.variance) {
-    result->message = "lost: the aligned images do not look alike";
-  } else if (result->alignment.inverse_depth_scale >
-             options_.max_depth_disagreement * reference.mean_inverse_depth) {
-    result->message = "lost: the aligned depths differ";
-  } else {
-    result->status = TrackingStatus::kTracked;
+    return;
   }
+  result->evidence = EvidenceOf(*backend_, views, current, result->alignment,
+                                references_[nearest.front()].content);
+  const Judgement judgement = Judge(result->evidence, options_.trust);
+  result->status = judgement.status;
+  result->message = judgement.message;
 }
 
 bool KeyframeTracker::NeedsNewKeyframe(const TrackedFrame& result) const {
   if (keyframes_.empty()) return true;
-  return result.status == TrackingStatus::kTracked &&
-         NeedsKeyframe(keyframes_, world_from_camera_, options_.keyframes);
+  const bool trusted =
+      result.status == TrackingStatus::kTracked ||
+      (result.status == TrackingStatus::kDoubtful && !options_.keyframes.trusted_only);
+  return trusted && NeedsKeyframe(keyframes_, world_from_camera_, options_.keyframes);
 }
 
 void KeyframeTracker::MakeKeyframe(const Frame& frame, TrackedFrame* result) {
   const Stopwatch watch(&result->times.pyramid_ms);
-  const ImageFacts facts = frame.depth_m.empty() ? ImageFacts{} : FactsOf(gray_, frame.depth_m);
-  const double pixels = std::max(1.0, double(gray_.size()));
-  const double measured = facts.measured / pixels;
+  const ImageContent content = ContentOf(gray_, frame.depth_m);
+  const double measured = content.measured_share;
   if (measured < options_.keyframes.min_measured_depth || measured == 0) {
     result->message =
         "not a keyframe: " + std::to_string(int(100 * measured)) + " % of its depth is measured";
@@ -236,8 +226,8 @@ void KeyframeTracker::MakeKeyframe(const Frame& frame, TrackedFrame* result) {
   const int id = int(keyframes_.size());
   references_.push_back(
       {backend_->MakeReference(gray_, frame.depth_m, camera_, options_.alignment.Pyramids()),
-       Variance(facts, pixels), MeanInverseDepth(facts)});
-  keyframes_.push_back({id, frame, std::move(gray_), world_from_camera_});
+       content, Thumbnail(gray_)});
+  keyframes_.push_back({id, frame, std::move(gray_), world_from_camera_, result->covariance});
   gray_ = {};
   result->new_keyframe = true;
   if (id == 0) {

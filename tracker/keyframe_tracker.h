@@ -15,10 +15,9 @@
 #include "silt/tracker/initializer.h"
 #include "silt/tracker/keyframe.h"
 #include "silt/tracker/options.h"
+#include "silt/tracker/trust.h"
 
 namespace silt::tracker {
-
-enum class TrackingStatus { kTracked, kLost };
 
 // The stages of §4.1, in milliseconds; total_ms also holds what no stage claims.
 struct StageTimes {
@@ -33,8 +32,12 @@ struct StageTimes {
 struct TrackedFrame {
   double time_s = 0;
   TrackingStatus status = TrackingStatus::kLost;
-  std::string message;        // one line where lost, or where a frame could not become a keyframe
-  SE3d world_from_camera;     // the last tracked pose where lost
+  std::string message;     // one line where not tracked, or where it could not be a keyframe
+  PoseEvidence evidence;   // where an alignment came about
+  SE3d world_from_camera;  // the last one that was not lost where lost
+  // Of ξ = (ω, v) in the camera's frame, the true pose being world_from_camera·exp(ξ): that of the
+  // alignment and that of the keyframe. The first pose counts as exact. Zeros where lost.
+  Covariance6 covariance{};
   int keyframe_id = -1;       // that the pose was estimated against; of the first frame, its own
   bool new_keyframe = false;  // this frame has become a keyframe
   InitialEstimate initial;
@@ -65,8 +68,8 @@ class KeyframeTracker {
   // What the backend and the judgement need of a keyframe.
   struct Reference {
     std::unique_ptr<ReferencePyramid> pyramid;
-    double variance = 0;            // of its intensity
-    double mean_inverse_depth = 0;  // 1/m
+    ImageContent content;
+    Image<float> thumbnail;
   };
 
   void CheckFrame(const Frame& frame) const;
@@ -80,8 +83,11 @@ class KeyframeTracker {
                                               TrackedFrame* result) const;
   void Refine(const std::vector<int>& nearest, const CurrentPyramid& current, const SE3d& initial,
               TrackedFrame* result);
-  void Accept(const SE3d& world_from_camera, double time_s);
-  void Judge(const Reference& reference, TrackedFrame* result) const;
+  void Relocalize(const Frame& frame, const Image<float>& intensity, const CurrentPyramid& current,
+                  TrackedFrame* result);
+  std::vector<int> Candidates(int nearest, const Image<float>& intensity) const;
+  std::vector<int> WithNeighbours(int id, const SE3d& world_from_camera) const;
+  void Accept(TrackedFrame* result);
   bool NeedsNewKeyframe(const TrackedFrame& result) const;
   void MakeKeyframe(const Frame& frame, TrackedFrame* result);
 

@@ -31,6 +31,10 @@ struct PhotometricCost {
 struct NormalEquations {
   std::array<double, 21> hessian{};  // JᵀJ, its upper triangle row by row
   std::array<double, 6> gradient{};  // Jᵀr
+  // Σg·gᵀ over tiles of the image, g being a tile's part of the gradient; its upper triangle. It
+  // tells how far residuals that lie beside each other err together. Zeros of a backend whose sums
+  // are of no tiles.
+  std::array<double, 21> scatter{};
   PhotometricCost cost;
   // Of a robust norm, for the scale of either kind of residuals: Σs·r² and their number.
   struct Spread {
@@ -49,6 +53,7 @@ struct NormalEquations {
   NormalEquations& operator+=(const NormalEquations& other) {
     for (std::size_t i = 0; i < hessian.size(); ++i) hessian[i] += other.hessian[i];
     for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] += other.gradient[i];
+    for (std::size_t i = 0; i < scatter.size(); ++i) scatter[i] += other.scatter[i];
     cost += other.cost;
     intensity += other.intensity;
     inverse_depth += other.inverse_depth;

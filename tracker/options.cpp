@@ -49,11 +49,23 @@ void KeyframeOptions::Validate() const {
   CheckRange("keyframes.joint", joint, 1, 100);
 }
 
+void TrustOptions::Validate() const {
+  CheckRange("trust.max_unexplained_variance", max_unexplained_variance, 0, 1e6);
+  CheckRange("trust.max_depth_disagreement", max_depth_disagreement, 0, 1e6);
+  CheckRange("trust.min_inlier_ratio", min_inlier_ratio, 0, 1);
+  CheckRange("trust.max_uncertainty_rad", max_uncertainty_rad, 0, 1e6);
+  CheckRange("trust.doubtful_unexplained_variance", doubtful_unexplained_variance, 0, 1e6);
+  CheckRange("trust.doubtful_depth_disagreement", doubtful_depth_disagreement, 0, 1e6);
+  CheckRange("trust.doubtful_inlier_ratio", doubtful_inlier_ratio, 0, 1);
+  CheckRange("trust.doubtful_overlap", doubtful_overlap, 0, 1);
+  CheckRange("trust.doubtful_uncertainty_rad", doubtful_uncertainty_rad, 0, 1e6);
+}
+
 void TrackerOptions::Validate() const {
   alignment.Validate();
   keyframes.Validate();
-  CheckRange("max_unexplained_variance", max_unexplained_variance, 0, 1e6);
-  CheckRange("max_depth_disagreement", max_depth_disagreement, 0, 1e6);
+  trust.Validate();
+  CheckRange("relocalization_candidates", relocalization_candidates, 0, 1000);
 }
 
 TrackerOptions PaperPreset() { return {}; }
@@ -77,8 +89,13 @@ TrackerOptions AccuratePreset() {
   options.keyframes.max_rotation_deg = 540;
   options.keyframes.metres_per_radian = 0.3;
   options.keyframes.joint = 3;
+  options.keyframes.trusted_only = true;
   options.alignment.min_overlap = 0.25;
-  options.max_unexplained_variance = 0.25;
+  options.trust.max_unexplained_variance = 0.25;
+  options.trust.min_inlier_ratio = 0.5;
+  options.trust.max_uncertainty_rad = 0.03;
+  options.trust.doubtful_unexplained_variance = 0.2;
+  options.relocalization_candidates = 5;
   options.always_initialize = false;
   options.start = Start::kConstantVelocity;
   return options;

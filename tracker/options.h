@@ -57,6 +57,25 @@ struct KeyframeOptions {
   // frame is aligned with so many of the nearest keyframes at once.
   double metres_per_radian = 0;
   int joint = 1;
+  bool trusted_only = false;  // no keyframe is made of a doubtful frame
+
+  void Validate() const;
+};
+
+// What an alignment must show to be believed, see PoseEvidence.
+struct TrustOptions {
+  // Lost beyond these. Of the keyframe's variance of intensity, the residuals may keep a share: 0
+  // for a perfect match, 2 for two unrelated images.
+  double max_unexplained_variance = 0.6;
+  double max_depth_disagreement = 0.03;  // of the depths, by the scale of their residuals
+  double min_inlier_ratio = 0;
+  double max_uncertainty_rad = 1e6;
+  // Doubtful beyond these.
+  double doubtful_unexplained_variance = 0.4;
+  double doubtful_depth_disagreement = 0.02;
+  double doubtful_inlier_ratio = 0.8;
+  double doubtful_overlap = 0.3;
+  double doubtful_uncertainty_rad = 3e-3;
 
   void Validate() const;
 };
@@ -71,14 +90,12 @@ enum class Start {
 struct TrackerOptions {
   AlignmentOptions alignment;
   KeyframeOptions keyframes;
-  // Lost where the residuals keep more than this share of the keyframe's variance of intensity:
-  // 0 for a perfect match, 2 for two unrelated images.
-  double max_unexplained_variance = 0.6;
-  // Lost where the depths differ by more than this share, by the scale of their residuals.
-  double max_depth_disagreement = 0.03;
+  TrustOptions trust;
   // The initializer gives every frame its start (§3.2), or serves only to find a lost camera again.
   bool always_initialize = true;
   Start start = Start::kPrevious;
+  // Where lost, a frame is compared with so many keyframes, those that look most like it.
+  int relocalization_candidates = 0;
   std::uint64_t seed = 0;  // of the initializer's random draws
 
   void Validate() const;

@@ -16,6 +16,17 @@ double MeanRobustSquare(double k) {
   return k * k * (1 - k * std::sqrt(std::numbers::pi / 2) * tail);
 }
 
+double CurvatureLoss(double k) {
+  constexpr double step = 0.05, end = 8;
+  double weights = 0, slopes = 0;
+  for (double e = step / 2; e < end; e += step) {
+    const double q = 1 / (1 + e * e / (k * k)), density = std::exp(-e * e / 2);
+    weights += q * q * density;
+    slopes += q * q * q * (1 - 3 * e * e / (k * k)) * density;
+  }
+  return weights / slopes;
+}
+
 double ResidualScale(double mean_robust_square, double scale_factor) {
   const double beta = scale_factor > 0 ? MeanRobustSquare(scale_factor) : 1;
   return std::sqrt(mean_robust_square / beta);

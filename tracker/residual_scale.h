@@ -10,6 +10,10 @@ namespace silt::tracker {
 // Repeating it with c = scale_factor·σ converges.
 double ResidualScale(double mean_robust_square, double scale_factor);
 
+// E[w]/E[ψ'] of Geman-McClure's norm with c = k for a standard normal e, with w = 1/(1 + e²/k²)²
+// and ψ = w·e: by how much weighted squares overrate the norm's curvature.
+double CurvatureLoss(double k);
+
 // E[e²/(1 + e²/k²)] of a standard normal e, for k > 0: below 1, which it approaches for large k.
 double MeanRobustSquare(double k);
 

@@ -111,5 +111,15 @@ INSTANTIATE_TEST_SUITE_P(
                     BadExperiment{"timing --scene studio --width 64 --duration 0.05", "two frames"},
                     BadExperiment{"timing --scene studio --fps 0", "--fps: '0'"}));
 
+TEST(TrustCommand, WritesFactorsAndEverySample) {
+  const TestFolder folder;
+  const auto json = ResultsOf(folder, "trust", "--width 160 --pairs 2 --preset fast");
+  EXPECT_EQ(json["summary"].size(), 3u);
+  EXPECT_EQ(json["samples"].size(), 12u);
+  EXPECT_TRUE(json["summary"][0].contains("covariance_factor"));
+  EXPECT_THAT(ReadText(folder / "trust/samples.csv"), HasSubstr("uncertainty_rad"));
+  EXPECT_THAT(ReadText(folder / "trust/summary.csv"), HasSubstr("within_band"));
+}
+
 }  // namespace
 }  // namespace silt::experiments

@@ -207,5 +207,17 @@ TEST(Alignment, KeepsNoLogUnlessAsked) {
   EXPECT_EQ(result.levels.size(), 1u);
 }
 
+TEST(Alignment, CovarianceIsThatOfTheTilesOrElseOfTheResiduals) {
+  FakeBackend backend([](int, double) { return PhotometricCost{50, 1000, 40}; });
+  for (double& h : backend.equations.hessian) h *= 4;
+  const AlignmentResult plain = AlignFake(backend, Levels({1}));
+  ASSERT_TRUE(plain.ok) << plain.failure;
+  EXPECT_NEAR(plain.covariance[0], 0.04 / 4, 1e-12);
+  EXPECT_NEAR(plain.covariance[1], 0, 1e-12);
+  backend.equations.scatter = {6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 12, 0, 0, 0, 0, 0, 0, 6, 0, 24};
+  EXPECT_NEAR(AlignFake(backend, Levels({1})).covariance[35], (6 + 12 + 6 + 24) / 4.0 / 6 / 4,
+              1e-12);
+}
+
 }  // namespace
 }  // namespace silt::tracker

@@ -284,6 +284,69 @@ TEST_P(OwnPreset, AsksTheInitializerWhereLost) {
   EXPECT_LT(Distance(tracked.world_from_camera, TruePose(19)), 1e-2);
 }
 
+// A walk past several keyframes, darkness, and back where it began: the nearest keyframe is not the
+// one to ask, and nobody tells where to start.
+TEST_P(OwnPreset, FindsItsWayBackToAnyKeyframe) {
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  KeyframeTracker tracker = MakeTracker(nullptr, options);
+  for (int i = 0; i < 30; ++i) tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
+  ASSERT_GT(tracker.keyframes().size(), 3u);
+  const TrackedFrame dark = tracker.Track(BlackFrame());
+  EXPECT_EQ(dark.status, TrackingStatus::kLost);
+  EXPECT_EQ(dark.covariance, Covariance6{});
+  const TrackedFrame back = tracker.Track(RoomFrame(TruePose(0), 3.1));
+  ASSERT_EQ(back.status, TrackingStatus::kTracked) << back.message;
+  EXPECT_EQ(back.keyframe_id, 0);
+  EXPECT_LT(Distance(back.world_from_camera, TruePose(0)), 4e-3);
+  // The leap is no velocity.
+  const TrackedFrame next = tracker.Track(RoomFrame(TruePose(1), 3.2));
+  EXPECT_EQ(next.status, TrackingStatus::kTracked) << next.message;
+}
+
+TEST_P(OwnPreset, WithoutCandidatesItStaysLost) {
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  options.relocalization_candidates = 0;
+  KeyframeTracker tracker = MakeTracker(nullptr, options);
+  for (int i = 0; i < 30; ++i) tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
+  const TrackedFrame back = tracker.Track(RoomFrame(TruePose(0), 3.1));
+  EXPECT_EQ(back.status, TrackingStatus::kLost);
+}
+
+TEST(KeyframeTracker, ADoubtfulFrameIsNoKeyframeWhereOnlyTrustedOnesAre) {
+  TrackerOptions options = SmallImages();
+  options.trust.doubtful_overlap = 1;
+  const auto keyframes = [&](bool trusted_only) {
+    options.keyframes.trusted_only = trusted_only;
+    KeyframeTracker tracker = MakeTracker(nullptr, options);
+    for (int i = 0; i < 9; ++i) {
+      const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(i)));
+      EXPECT_EQ(tracked.status, i > 0 ? TrackingStatus::kDoubtful : TrackingStatus::kTracked) << i;
+      EXPECT_LT(Distance(tracked.world_from_camera, TruePose(i)), 4e-3) << i;
+    }
+    return tracker.keyframes().size();
+  };
+  EXPECT_EQ(keyframes(true), 1u);
+  EXPECT_EQ(keyframes(false), 2u);
+}
+
+// The keyframe's own error adds to that of the alignment with it.
+TEST(KeyframeTracker, CovariancesGrowFromKeyframeToKeyframe) {
+  KeyframeTracker tracker = MakeTracker();
+  const TrackedFrame first = tracker.Track(RoomFrame(TruePose(0)));
+  EXPECT_EQ(first.covariance, Covariance6{});
+  std::vector<double> deviations;
+  for (int i = 1; i < 16; ++i) {
+    const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(i)));
+    EXPECT_GT(LargestDeviation(tracked.covariance, 1), 0);
+    if (tracked.new_keyframe) deviations.push_back(LargestDeviation(tracked.covariance, 1));
+  }
+  ASSERT_GE(deviations.size(), 3u);
+  EXPECT_GT(deviations[1], deviations[0]);
+  EXPECT_GT(deviations[2], deviations[1]);
+}
+
 INSTANTIATE_TEST_SUITE_P(KeyframeTracker, OwnPreset,
                          testing::Values(AccuratePreset(), FastPreset()));
 

@@ -76,8 +76,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "keyframes.max_rotation_deg is 1000000000; give a number from 0 to 540"},
         BadOption{"depth", [](TrackerOptions* o) { o->keyframes.min_measured_depth = 2; },
                   "keyframes.min_measured_depth is 2"},
-        BadOption{"depth_disagreement", [](TrackerOptions* o) { o->max_depth_disagreement = -1; },
-                  "max_depth_disagreement is -1"},
+        BadOption{"depth_disagreement",
+                  [](TrackerOptions* o) { o->trust.max_depth_disagreement = -1; },
+                  "trust.max_depth_disagreement is -1"},
         BadOption{"margin", [](TrackerOptions* o) { o->alignment.depth_edge_margin_px = -1; },
                   "alignment.depth_edge_margin_px is -1"},
         BadOption{"scale", [](TrackerOptions* o) { o->alignment.robust_scale = kNan; },
@@ -86,8 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "alignment.depth_residual needs use_current_depth"},
         BadOption{"joint", [](TrackerOptions* o) { o->keyframes.joint = 0; },
                   "keyframes.joint is 0; give a number from 1 to 100"},
-        BadOption{"variance", [](TrackerOptions* o) { o->max_unexplained_variance = -1; },
-                  "max_unexplained_variance is -1"}),
+        BadOption{"variance", [](TrackerOptions* o) { o->trust.max_unexplained_variance = -1; },
+                  "trust.max_unexplained_variance is -1"}),
     [](const auto& p) { return std::string(p.param.name); });
 
 }  // namespace

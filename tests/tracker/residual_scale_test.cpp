@@ -54,5 +54,20 @@ TEST(ResidualScale, IsHardlyMovedByOutliers) {
   EXPECT_LT(IteratedScale(0.01, 1000), 0.0145);
 }
 
+// The slope of ψ by differences, against the weights, over Gaussian residuals.
+TEST(ResidualScale, WeightsOverrateTheCurvature) {
+  const CounterRandom random(3);
+  const auto psi = [](double e) { return e / std::pow(1 + e * e / 6.25, 2); };
+  double weights = 0, slopes = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double e = random.Normal(std::uint64_t(i));
+    weights += 1 / std::pow(1 + e * e / 6.25, 2);
+    slopes += (psi(e + 1e-4) - psi(e - 1e-4)) / 2e-4;
+  }
+  EXPECT_NEAR(CurvatureLoss(2.5), weights / slopes, 0.03);
+  EXPECT_GT(CurvatureLoss(2.5), 1.2);
+  EXPECT_NEAR(CurvatureLoss(1000), 1, 1e-5);
+}
+
 }  // namespace
 }  // namespace silt::tracker

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "silt/core/image.h"
+
+namespace silt::tracker {
+
+// What a keyframe's images hold, against which an alignment with it is judged.
+struct ImageContent {
+  double measured_share = 0;      // of the pixels: those with a depth
+  double variance = 0;            // of the intensity
+  double mean_inverse_depth = 0;  // 1/m
+};
+
+// All 0 where the depth is empty.
+ImageContent ContentOf(const Image<float>& intensity, const Image<float>& depth_m);
+
+}  // namespace silt::tracker
