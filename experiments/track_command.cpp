@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "silt/core/error.h"
+#include "silt/core/io/icl_camera.h"
 #include "silt/core/io/sequence_format.h"
 #include "silt/core/parallel.h"
 #include "silt/core/undistortion.h"
@@ -18,9 +19,11 @@
 #include "silt/experiments/commands.h"
 #include "silt/experiments/evaluation.h"
 #include "silt/experiments/interrupt.h"
+#include "silt/experiments/keyframe_map.h"
 #include "silt/experiments/manifest.h"
 #include "silt/experiments/option_checks.h"
 #include "silt/experiments/output.h"
+#include "silt/experiments/output_folder.h"
 #include "silt/experiments/progress.h"
 #include "silt/experiments/simulation_options.h"
 #include "silt/experiments/tracker_setup.h"
@@ -30,8 +33,10 @@ namespace silt::experiments {
 namespace {
 
 struct Options {
-  std::string folder, layout = "auto", out, json;
+  std::string folder, layout = "auto", out, json, map;
+  double voxel_m = 0.01;
   std::vector<double> camera;  // fx fy cx cy, or empty
+  std::optional<double> tolerance_s;
   int every = 1;
   SimulationOptions simulation;
   TrackerSetup tracker;
@@ -39,6 +44,8 @@ struct Options {
 
 struct Tracked {
   TrackingResult result;
+  std::vector<tracker::Keyframe> keyframes;
+  PinholeCamera camera;
   Trajectory truth;  // empty where there is none
   Json source;
 };
@@ -53,9 +60,7 @@ std::string FrameOf(int number, int frames) {
 // The size is that of the first image.
 PinholeCamera CameraFrom(const std::vector<double>& values) {
   if (values.empty()) return {};
-  if (!(values[0] > 0 && values[1] > 0)) {
-    throw Error("--camera: fx and fy must be positive (a negative fy mirrors the image: flip it)");
-  }
+  if (!(values[0] > 0) || values[1] == 0) throw Error("--camera: fx must be above 0 and fy not 0");
   return {values[0], values[1], values[2], values[3]};
 }
 
@@ -68,12 +73,27 @@ std::optional<SE3d> TruthAt(const Trajectory& truth, double time_s) {
   return nearest.world_from_camera;
 }
 
+void Take(const TrackingRun& run, const PinholeCamera& camera, Tracked* tracked) {
+  tracked->result = run.Result();
+  tracked->keyframes = run.keyframes();
+  tracked->camera = camera;
+}
+
+// As the folder's ground truth has them: ICL-NUIM's, whose fy is negative, have axes of their own.
+Trajectory InAxesOf(const std::vector<double>& camera, Trajectory poses) {
+  if (camera.empty() || camera[1] > 0) return poses;
+  for (StampedPose& pose : poses) pose.world_from_camera = IclFromSilt(pose.world_from_camera);
+  return poses;
+}
+
 // The folder's ground truth serves for the first pose and for the evaluation.
 Tracked TrackFolder(const Options& options) {
   const auto sequence =
-      OpenSequence(options.layout, options.folder, {CameraFrom(options.camera), options.every});
+      OpenSequence(options.layout, options.folder,
+                   {CameraFrom(options.camera), options.every, options.tolerance_s});
   Tracked tracked;
   tracked.source = {{"folder", options.folder}, {"take_every", options.every}};
+  if (options.tolerance_s) tracked.source["tolerance_s"] = *options.tolerance_s;
   tracked.truth = sequence->truth();
   SE3d first;
   if (!tracked.truth.empty()) {
@@ -88,7 +108,7 @@ Tracked TrackFolder(const Options& options) {
     run.Track(*frame, TruthAt(tracked.truth, frame->time_s));
     progress.Advance(1, FrameOf(++number, sequence->size()));
   }
-  tracked.result = run.Result();
+  Take(run, sequence->camera(), &tracked);
   return tracked;
 }
 
@@ -112,7 +132,7 @@ Tracked TrackSimulation(const Options& options) {
               rendered.truth.world_from_camera);
     progress.Advance(1, FrameOf(rendered.number + 1, frames));
   });
-  tracked.result = run.Result();
+  Take(run, plan.options.camera, &tracked);
   return tracked;
 }
 
@@ -150,6 +170,13 @@ Json Summary(const Tracked& tracked, const std::optional<Evaluation>& evaluation
   return json;
 }
 
+void MakeMap(const Options& options, const Tracked& tracked, Json manifest) {
+  OutputFolder folder(options.map);
+  manifest["map"] = WriteMap(
+      folder.path(), {tracked.keyframes, tracked.camera, tracked.result.estimate, options.voxel_m});
+  folder.Commit(manifest);
+}
+
 void Run(Options options, const Invocation& invocation) {
   if (options.folder.empty() == options.simulation.scene.empty()) {
     throw Error("track: give either a sequence's folder or --scene");
@@ -165,14 +192,16 @@ void Run(Options options, const Invocation& invocation) {
   std::optional<Evaluation> evaluation;
   if (!tracked.truth.empty()) evaluation = Evaluate(tracked.truth, result.estimate);
 
-  WriteTumTrajectory(options.out, result.estimate);
+  const Json config{{"source", tracked.source}, {"tracker", ToJson(options.tracker)}};
+  const Json manifest = MakeManifest(invocation.command_line, config, options.tracker.seed);
+  WriteTumTrajectory(options.out, InAxesOf(options.camera, result.estimate));
   if (!options.json.empty()) {
     Json json = Summary(tracked, evaluation);
     json["per_frame"] = FrameRows(result);
-    const Json config{{"source", tracked.source}, {"tracker", ToJson(options.tracker)}};
-    json["manifest"] = MakeManifest(invocation.command_line, config, options.tracker.seed);
+    json["manifest"] = manifest;
     WriteJson(options.json, json);
   }
+  if (!options.map.empty()) MakeMap(options, tracked, manifest);
   if (options.json == "-") return;
   char line[200];
   std::snprintf(line, sizeof line,
@@ -210,14 +239,29 @@ void AddTrackCommand(CLI::App& program, const Invocation& invocation) {
       ->check(CLI::IsMember(layouts))
       ->capture_default_str();
   command
-      ->add_option("--camera", options->camera,
-                   "fx fy cx cy of a tum folder in pixels, instead of its camera.txt")
+      ->add_option(
+          "--camera", options->camera,
+          "fx fy cx cy of a tum folder in pixels, instead of its camera.txt; fy < 0: with\n"
+          "ICL-NUIM's poses, in whose axes the estimate is then written as well")
       ->expected(4);
   command->add_option("--out", options->out, "Trajectory to write, in TUM's format")->required();
   command->add_option("--json", options->json, "Write figures and manifest here (-: to stdout)");
-  RequireInteger(command->add_option("--every", options->every, "Of the folder, every n-th frame")
+  command->add_option(
+      "--map", options->map,
+      "Folder to make of what the keyframes saw: cloud.ply, cameras.ply (keyframes\n"
+      "and path), path.txt and figures/map.png");
+  RequireNumber(command->add_option("--voxel", options->voxel_m, "Size of the map's voxels [m]")
+                    ->capture_default_str(),
+                1e-4, 10);
+  RequireInteger(command
+                     ->add_option("--fps-skip,--every", options->every,
+                                  "Of the folder, every n-th frame alone")
                      ->capture_default_str(),
                  1, 1000000);
+  RequireNumber(command->add_option("--tolerance", options->tolerance_s,
+                                    "Of a tum folder without associations.txt: seconds between\n"
+                                    "colour and depth of one frame at most; default: 0.02"),
+                0, 1000);
   AddTrackerOptions(*command, *options);
   AddSimulationOptions(*command, options->simulation, false);
   command->footer(

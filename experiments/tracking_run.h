@@ -37,6 +37,7 @@ class TrackingRun {
   tracker::TrackedFrame Track(const Frame& frame,
                               const std::optional<SE3d>& true_world_from_camera = std::nullopt);
   TrackingResult Result() const;
+  const std::vector<tracker::Keyframe>& keyframes() const { return tracker_.keyframes(); }
 
  private:
   std::optional<SE3d> Expected(const std::optional<SE3d>& true_world_from_camera) const;

@@ -98,11 +98,19 @@ std::unique_ptr<RecordedSequence> OpenSequence(const std::string& format, const 
   if (found == "tum") {
     TumSequenceOptions reading;
     reading.take_every = options.take_every;
+    if (options.association_tolerance_s) {
+      reading.association_tolerance_s = *options.association_tolerance_s;
+    }
     return std::make_unique<TumSequence>(folder, reading, options.camera);
   }
   if (options.camera.fx != 0) {
     throw Error(folder.string() + ": a camera can be given for a tum folder alone; this is " +
                 found);
+  }
+  if (options.association_tolerance_s) {
+    throw Error(folder.string() +
+                ": a tolerance can be given for a tum folder alone, whose lists " +
+                "have times of their own; this is " + found);
   }
   std::unique_ptr<RecordedSequence> all;
   if (found == "icl") {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ std::unique_ptr<SequenceWriter> MakeSequenceWriter(const std::string& format,
 struct ReadingOptions {
   PinholeCamera camera;  // replaces that of a tum folder unless fx is 0
   int take_every = 1;    // 3 makes 20 fps of 60
+  // Of a tum folder: how far apart in time the images of one frame may be; nothing: 0.02 s.
+  std::optional<double> association_tolerance_s = std::nullopt;
 };
 
 // `format` is one that can be read, or auto, which looks what the folder holds. Throws silt::Error.

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "posed_image.h"
 #include "silt/core/error.h"
 
@@ -118,6 +120,24 @@ TEST(SequenceFormat, OnlyTumsCameraCanBeReplaced) {
   WriteBox(*writer, description);
   EXPECT_THAT(ErrorOf("auto", folder.path(), {.camera = kBoxCamera}),
               HasSubstr("a camera can be given for a tum folder alone; this is raw"));
+}
+
+TEST(SequenceFormat, OnlyTumsListsHaveATolerance) {
+  const SequenceFolder raw, tum;
+  const SequenceDescription description = BoxDescription(2);
+  WriteBox(*MakeSequenceWriter("raw", raw.path(), description), description);
+  EXPECT_THAT(ErrorOf("auto", raw.path(), {.camera = {}, .association_tolerance_s = 0.1}),
+              HasSubstr("a tolerance can be given for a tum folder alone"));
+  WriteBox(*MakeSequenceWriter("tum", tum.path(), description), description);
+  fs::remove(tum / "associations.txt");
+  std::ofstream(tum / "depth.txt") << "0.04 depth/000000.png\n0.14 depth/000001.png\n";
+  const auto has_depth = [&](double tolerance_s) {
+    return !OpenSequence("tum", tum.path(), {.camera = {}, .association_tolerance_s = tolerance_s})
+                ->Next()
+                ->depth_m.empty();
+  };
+  EXPECT_TRUE(has_depth(0.05));
+  EXPECT_FALSE(has_depth(0.03));
 }
 
 TEST(SequenceFormat, ALensIsRefusedWhereItHasNoPlace) {
