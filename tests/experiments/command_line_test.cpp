@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(BadLine{"track --out x.txt", "--scene"},
                     BadLine{"track /none --scene studio --out x.txt", "either"},
                     BadLine{"track /none --out x.txt", "/none"}, BadLine{"track /none", "--out"},
-                    BadLine{"track /none --every 0 --out x.txt", "--every"},
+                    BadLine{"track /none --fps-skip 0 --out x.txt", "--fps-skip"},
                     BadLine{"track /tmp --camera 1 2 3 --out x.txt", "--camera"},
                     BadLine{"track /tmp --camera 1 0 3 4 --out x.txt",
                             "fx must be above 0 and fy not 0"},
