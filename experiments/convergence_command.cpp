@@ -94,8 +94,7 @@ std::vector<PairAlignment> MakePairs(const Options& options, const World& world,
 }
 
 // Of the first reference frame, both warped and rendered anew.
-std::vector<OdometryTrial> RunTrials(const Options& options, const World& world,
-                                     const tracker::Backend& backend) {
+std::vector<OdometryTrial> RunTrials(const Options& options, const World& world) {
   const sim::RenderOptions rendering = options.basics.Rendering(false);
   const sim::Renderer renderer(world.scene, rendering);
   const double time_s = (options.image - 1) / kFps;
@@ -113,8 +112,8 @@ std::vector<OdometryTrial> RunTrials(const Options& options, const World& world,
   for (const std::string& preset : options.recovery.presets) {
     for (const auto& [name, moved] : {std::pair<const char*, MovedFrame>{"warped", warped},
                                       std::pair<const char*, MovedFrame>{"rendered", rendered}}) {
-      trials.push_back(RunTrial(frame, rendering.camera, moved, preset, backend, options.trials,
-                                options.basics.seed));
+      trials.push_back(
+          RunTrial(frame, rendering.camera, moved, preset, options.trials, options.basics.seed));
       trials.back().current = name;
       progress.Advance(1, std::string("small motions, ") + name);
     }
@@ -159,7 +158,7 @@ void Run(const Options& given, const Invocation& invocation) {
     recoveries = MeasureRecovery(recovery_pairs, *backend, options.recovery);
   }
   std::vector<OdometryTrial> trials;
-  if (options.trials > 0) trials = RunTrials(options, world, *backend);
+  if (options.trials > 0) trials = RunTrials(options, world);
 
   const Json config{{"basics", options.basics.ToJson()},
                     {"world", world.ToJson()},

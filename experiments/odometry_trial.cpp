@@ -11,18 +11,19 @@
 #include "silt/core/pyramid.h"
 #include "silt/core/random.h"
 #include "silt/experiments/interrupt.h"
-#include "silt/experiments/pair_alignment.h"
-#include "silt/experiments/tracker_options.h"
+#include "silt/experiments/tracker_setup.h"
 
 namespace silt::experiments {
 namespace {
 
 // Uniform in the cube, then made as long as drawn: as OpenCV does it, whose directions favour the
 // cube's corners a little.
-Vec3d RandomVector(const CounterRandom& random, std::uint64_t first, double max_length) {
+Vec3d RandomVector(const CounterRandom& random, std::uint64_t first, double least,
+                   double greatest) {
   Vec3d v{2 * random.Uniform(first) - 1, 2 * random.Uniform(first + 1) - 1,
           2 * random.Uniform(first + 2) - 1};
-  return (max_length * random.Uniform(first + 3) / std::max(Norm(v), 1e-12)) * v;
+  const double length = least + (greatest - least) * random.Uniform(first + 3);
+  return (length / std::max(Norm(v), 1e-12)) * v;
 }
 
 // The least and the greatest of what is there.
@@ -65,8 +66,8 @@ std::string Line(const char* format, Values... values) {
 
 SE3d TrialMotion(std::uint64_t seed, int index) {
   const CounterRandom random(seed, std::uint64_t(index));
-  return {Quaterniond::Exp(RandomVector(random, 0, kTrialMaxTurn_rad)),
-          RandomVector(random, 4, kTrialMaxShift_m)};
+  return {Quaterniond::Exp(RandomVector(random, 0, kTrialMinTurn_rad, kTrialMaxTurn_rad)),
+          RandomVector(random, 4, kTrialMinShift_m, kTrialMaxShift_m)};
 }
 
 Frame ForwardWarp(const Frame& frame, const PinholeCamera& camera, const SE3d& current_from_frame) {
@@ -119,15 +120,14 @@ TrialError OdometryTrial::Worst() const {
 }
 
 OdometryTrial RunTrial(const Frame& frame, const PinholeCamera& camera, const MovedFrame& moved,
-                       const std::string& preset, const tracker::Backend& backend, int count,
-                       std::uint64_t seed) {
-  const tracker::AlignmentOptions options = PresetOptions(preset).alignment;
+                       const std::string& preset, int count, std::uint64_t seed) {
   OdometryTrial trial{preset, "", {}};
   for (int i = 0; i < count; ++i) {
     ThrowIfInterrupted();
     const SE3d truth = TrialMotion(seed, i);
-    const PairAlignment pair(backend, {camera, frame, moved(truth), truth}, options);
-    const SE3d found = pair.Align(SE3d{}, options).current_from_reference;
+    tracker::KeyframeTracker tracker = MakeTracker(camera, {preset, "cpu", "auto", seed}, SE3d{});
+    tracker.Track(frame);
+    const SE3d found = tracker.Track(moved(truth), SE3d{}).world_from_camera.Inverse();
     trial.errors.push_back({RotationAngle(truth.rotation), Norm(truth.translation),
                             RotationAngle(truth.rotation.Conjugate() * found.rotation),
                             Norm(truth.translation - found.translation)});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,17 +11,19 @@
 #include "silt/core/frame.h"
 #include "silt/core/se3.h"
 #include "silt/experiments/json.h"
-#include "silt/tracker/backend.h"
 
 // The test of OpenCV's own odometries (modules/rgbd/test/test_odometry.cpp): one RGB-D frame and
 // random small motions of it, each to be found from no motion at all.
 namespace silt::experiments {
 
+inline constexpr double kTrialMinTurn_rad = 0.007;
 inline constexpr double kTrialMaxTurn_rad = 3 * 3.14159265358979323846 / 180;
+inline constexpr double kTrialMinShift_m = 0.008;
 inline constexpr double kTrialMaxShift_m = 0.02;
 
-// A turn about a random axis and a shift in a random direction, of uniform magnitudes up to the
-// greatest. A pure function of its arguments.
+// A turn about a random axis and a shift in a random direction, of uniform magnitudes between
+// the least and the greatest: rounded to pixels, a smaller motion would hardly show. A pure
+// function of its arguments.
 SE3d TrialMotion(std::uint64_t seed, int index);
 
 // What the moved camera sees of the frame's points: each is drawn at the pixel nearest to where it
@@ -45,11 +48,10 @@ struct OdometryTrial {
 // Where the current frame of a motion comes from.
 using MovedFrame = std::function<Frame(const SE3d& current_from_frame)>;
 
-// Aligns `count` moved frames with the frame. An alignment that fails counts as one that found no
-// motion.
+// Tracks from the frame to each of `count` moved frames. Where the tracker is lost, it counts as
+// one that found no motion.
 OdometryTrial RunTrial(const Frame& frame, const PinholeCamera& camera, const MovedFrame& moved,
-                       const std::string& preset, const tracker::Backend& backend, int count,
-                       std::uint64_t seed);
+                       const std::string& preset, int count, std::uint64_t seed);
 
 Json TrialRows(const std::vector<OdometryTrial>& trials);
 std::string FormatTrials(const std::vector<OdometryTrial>& trials);
