@@ -8,3 +8,10 @@
 #else
 #define SILT_HOST_DEVICE
 #endif
+
+// Before a loop over a small array: on the GPU its elements then lie in registers.
+#ifdef __CUDA_ARCH__
+#define SILT_UNROLL _Pragma("unroll")
+#else
+#define SILT_UNROLL
+#endif

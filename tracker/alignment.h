@@ -6,32 +6,13 @@
 #include <vector>
 
 #include "silt/core/se3.h"
+#include "silt/tracker/alignment_steps.h"
 #include "silt/tracker/backend.h"
 #include "silt/tracker/normal_equations.h"
 #include "silt/tracker/options.h"
 #include "silt/tracker/pose_covariance.h"
 
 namespace silt::tracker {
-
-// One solve of Algorithm 1.
-struct AlignmentStep {
-  int level = 0;               // as in the paper: 1 is the finest
-  int iteration = 0;           // from 1 at each level
-  double damping = 0;          // α of the solve
-  double update_norm = 0;      // |dξ|
-  PhotometricCost cost;        // at the pose before the step
-  PhotometricCost trial_cost;  // at the pose that the step proposes
-  bool accepted = false;
-};
-
-// One level's share, in the order of the run: coarsest first.
-struct AlignmentLevel {
-  int level = 0;  // as in the paper: 1 is the finest
-  int width = 0, height = 0;
-  PhotometricCost initial_cost, final_cost;
-  int iterations = 0;
-  bool converged = false;  // |dξ| < ε came before the last iteration
-};
 
 struct AlignmentTimes {
   double residual_ms = 0;  // warps and residuals of trial poses

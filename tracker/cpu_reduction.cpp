@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "silt/core/parallel.h"
 #include "silt/tracker/kernel/warp.h"
+#include "silt/tracker/pixel_sums.h"
 
 namespace silt::tracker {
 namespace {
 
-// Rows of a tile: the unit of work of a thread, and of the order of summation.
-constexpr int kTileRows = 8;
 // Waking another thread takes longer than the sums over so few pixels.
 constexpr int kFewPixels = 5000;
 
@@ -25,14 +23,6 @@ simd::Kernels KernelsOf(SimdLevel level) {
 #endif
   SILT_CHECK(level == SimdLevel::kBaseline);
   return simd::BaselineKernels();
-}
-
-// 1/x², where 0 stands for infinity.
-float InverseSquare(double x) { return x > 0 ? float(1 / (x * x)) : 0.0f; }
-
-simd::RobustBounds FloatBounds(const RobustBounds& bounds) {
-  return {InverseSquare(bounds.gradient), InverseSquare(bounds.scale),
-          float(std::sqrt(bounds.weight))};
 }
 
 simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_reference,
@@ -55,15 +45,15 @@ simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_refer
           warp.camera.cy,
           warp.inverse_fx,
           warp.inverse_fy,
-          FloatBounds(norm.intensity),
-          FloatBounds(norm.inverse_depth)};
+          FloatNorm<simd::RobustBounds>(norm.intensity),
+          FloatNorm<simd::RobustBounds>(norm.inverse_depth)};
 }
 
-using Sums = std::array<double, simd::kSumCount>;
+using Sums = std::array<double, kSumCount>;
 
 // Adds the lanes of a tile in order.
 void AddTo(Sums* total, const simd::LaneSums& tile) {
-  for (int k = 0; k < simd::kSumCount; ++k) {
+  for (int k = 0; k < kSumCount; ++k) {
     for (const double lane : tile.value[k]) (*total)[k] += lane;
   }
 }
@@ -82,12 +72,8 @@ void ForTiles(const simd::LevelView& view, const Work& work) {
 
 using Scatter = std::array<double, 21>;
 
-// Adds g·gᵀ of a tile's gradient, which follows the Hessian.
 void AddTo(Scatter* total, const Sums& tile) {
-  const double* g = tile.data() + total->size();
-  for (int i = 0, k = 0; i < 6; ++i) {
-    for (int j = i; j < 6; ++j, ++k) (*total)[k] += g[i] * g[j];
-  }
+  for (int k = 0; k < int(total->size()); ++k) (*total)[k] += ScatterOf(tile.data(), k);
 }
 
 // Sums over all rows: tile by tile in parallel, then the tiles in order.
@@ -105,15 +91,10 @@ Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view, Scatter* scatte
     AddTo(&tiles[i], tile);
   });
   for (int i = 0; i < Tiles(view); ++i) {
-    for (int k = 0; k < simd::kSumCount; ++k) total[k] += tiles[i][k];
+    for (int k = 0; k < kSumCount; ++k) total[k] += tiles[i][k];
     if (scatter) AddTo(scatter, tiles[i]);
   }
   return total;
-}
-
-PhotometricCost CostOf(const Sums& sums) {
-  return {0.5 * sums[simd::kSquaresSum], std::int64_t(sums[simd::kCountSum]),
-          sums[simd::kSquaresSum]};
 }
 
 simd::AddRows KernelFor(const simd::Kernels& kernels, const ResidualNorm& norm) {
@@ -127,25 +108,18 @@ CpuReduction::CpuReduction(SimdLevel level) : kernels_(KernelsOf(level)) {}
 
 PhotometricCost CpuReduction::Cost(const LevelImages& images,
                                    const SE3d& current_from_reference) const {
-  return CostOf(Reduce(kernels_.add_cost, ViewOf(images, current_from_reference)));
+  return CostOf(Reduce(kernels_.add_cost, ViewOf(images, current_from_reference)).data());
 }
 
 NormalEquations CpuReduction::Equations(const LevelImages& images,
                                         const SE3d& current_from_reference,
                                         const ResidualNorm& norm) const {
   SILT_CHECK(!norm.use_depth || images.current_inverse_depth != nullptr);
-  NormalEquations equations;
-  const Sums sums = Reduce(KernelFor(kernels_, norm), ViewOf(images, current_from_reference, norm),
-                           &equations.scatter);
-  std::copy_n(sums.begin(), equations.hessian.size(), equations.hessian.begin());
-  std::copy_n(sums.begin() + equations.hessian.size(), equations.gradient.size(),
-              equations.gradient.begin());
-  equations.cost = CostOf(sums);
-  if (!norm.robust()) return equations;
-  equations.intensity = {sums[simd::kRobustSum], std::int64_t(sums[simd::kCountSum])};
-  equations.inverse_depth = {sums[simd::kDepthRobustSum], std::int64_t(sums[simd::kDepthCountSum])};
-  equations.cost.sum = 0.5 * (norm.intensity.weight * equations.intensity.squares +
-                              norm.inverse_depth.weight * equations.inverse_depth.squares);
+  std::array<double, 21> scatter{};
+  const Sums sums =
+      Reduce(KernelFor(kernels_, norm), ViewOf(images, current_from_reference, norm), &scatter);
+  NormalEquations equations = EquationsOf(sums.data(), norm);
+  equations.scatter = scatter;
   return equations;
 }
 

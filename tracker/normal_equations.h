@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "silt/core/host_device.h"
+
 namespace silt::tracker {
 
 // Cost over the pixels that a pose lets both images see. Intensities are in [0, 1].
@@ -14,11 +16,11 @@ struct PhotometricCost {
   double squares = 0;       // Σ r², whatever the norm
 
   // The cost by which poses are compared: a sum also falls by losing pixels.
-  double mean() const { return pixels > 0 ? sum / double(pixels) : 0; }
-  double mean_square() const { return pixels > 0 ? squares / double(pixels) : 0; }
+  SILT_HOST_DEVICE double mean() const { return pixels > 0 ? sum / double(pixels) : 0; }
+  SILT_HOST_DEVICE double mean_square() const { return pixels > 0 ? squares / double(pixels) : 0; }
   bool operator==(const PhotometricCost&) const = default;
 
-  PhotometricCost& operator+=(const PhotometricCost& other) {
+  SILT_HOST_DEVICE PhotometricCost& operator+=(const PhotometricCost& other) {
     sum += other.sum;
     pixels += other.pixels;
     squares += other.squares;
@@ -41,7 +43,7 @@ struct NormalEquations {
     double squares = 0;
     std::int64_t count = 0;
     bool operator==(const Spread&) const = default;
-    Spread& operator+=(const Spread& other) {
+    SILT_HOST_DEVICE Spread& operator+=(const Spread& other) {
       squares += other.squares;
       count += other.count;
       return *this;
@@ -50,7 +52,7 @@ struct NormalEquations {
   Spread intensity, inverse_depth;
   bool operator==(const NormalEquations&) const = default;
 
-  NormalEquations& operator+=(const NormalEquations& other) {
+  SILT_HOST_DEVICE NormalEquations& operator+=(const NormalEquations& other) {
     for (std::size_t i = 0; i < hessian.size(); ++i) hessian[i] += other.hessian[i];
     for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] += other.gradient[i];
     for (std::size_t i = 0; i < scatter.size(); ++i) scatter[i] += other.scatter[i];

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "silt/core/host_device.h"
+
 namespace silt::tracker {
 
 // What a residual counts: see kernel/robust_norm.h. Neither bound given: ½r².
@@ -16,7 +18,9 @@ struct ResidualNorm {
   RobustBounds inverse_depth;  // 1/m, and 1/m per pixel
   bool use_depth = false;      // residuals of the inverse depth as well
 
-  bool robust() const { return use_depth || intensity.gradient > 0 || intensity.scale > 0; }
+  SILT_HOST_DEVICE bool robust() const {
+    return use_depth || intensity.gradient > 0 || intensity.scale > 0;
+  }
 };
 
 }  // namespace silt::tracker

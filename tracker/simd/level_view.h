@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "silt/tracker/sum_layout.h"
+
 // What the files that are compiled once per instruction set share with the rest: plain data and
 // plain functions. An inline function or a template used on both sides would be one symbol with two
 // bodies, of which the linker keeps one, perhaps that of an instruction set which the processor
@@ -29,12 +31,6 @@ struct LevelView {
   float fx, fy, cx, cy, inverse_fx, inverse_fy;
   RobustBounds intensity_norm, inverse_depth_norm;
 };
-
-// 21 of JᵀJ, its upper triangle row by row, 6 of Jᵀr, over all residuals; then Σr², the number of
-// pixels, and Σs·r² of the robust norm, over those of the intensity; then the latter two over those
-// of the inverse depth.
-inline constexpr int kSquaresSum = 27, kCountSum = 28, kRobustSum = 29, kDepthCountSum = 30,
-                     kDepthRobustSum = 31, kSumCount = 32;
 
 // Sums over some rows, lane by lane: single precision within a row, double from row to row.
 struct LaneSums {
