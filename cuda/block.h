@@ -29,6 +29,13 @@ struct Place {
 
 inline constexpr int kThreads = 256;  // of a block, unless a body says otherwise
 
+// A thread of a grid whose blocks form groups that work independently of each other.
+struct GroupPlace {
+  int group = 0, groups = 1;
+  int block = 0, blocks = 1;  // of the group
+  int thread = 0;             // of kThreads
+};
+
 // Enough blocks to give each thread up to `items_per_thread` of n items; it depends on n alone, and
 // so does the order in which sums are formed.
 inline Grid GridFor(int n, int items_per_thread = 1) {

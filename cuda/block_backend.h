@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "silt/core/error.h"
+#include "silt/cuda/block_alignments.h"
 #include "silt/cuda/block_pyramids.h"
 #include "silt/cuda/linearize_body.h"
 #include "silt/cuda/visibility_bodies.h"
 #include "silt/tracker/backend.h"
+#include "silt/tracker/pixel_sums.h"
 
 namespace silt::cuda {
 
@@ -66,29 +66,32 @@ class BlockBackend : public tracker::Backend {
 
   tracker::PhotometricCost Cost(const tracker::ImagePair& pair, int level,
                                 const SE3d& current_from_reference) const override {
-    return CostOf(Reduce<Residuals::kCost>(pair, level, current_from_reference, {}));
+    return tracker::CostOf(Reduce(Residuals::kCost, pair, level, current_from_reference, {}).sums);
   }
 
   tracker::NormalEquations Linearize(const tracker::ImagePair& pair, int level,
                                      const SE3d& current_from_reference,
                                      const tracker::ResidualNorm& norm) const override {
-    if (norm.use_depth) {
-      return EquationsOf(
-          Reduce<Residuals::kRobustWithDepth>(pair, level, current_from_reference, norm), norm);
+    const ImageSums image = Reduce(ResidualsOf(norm), pair, level, current_from_reference, norm);
+    return EquationsOf(image, norm);
+  }
+
+  std::vector<tracker::FinishedAlignment> Run(
+      const std::vector<tracker::AlignmentJob>& jobs) const override {
+    for (const tracker::AlignmentJob& job : jobs) {
+      if (!Alignments::CanRun(job)) return {};
     }
-    return EquationsOf(norm.robust()
-                           ? Reduce<Residuals::kRobust>(pair, level, current_from_reference, norm)
-                           : Reduce<Residuals::kSquares>(pair, level, current_from_reference, norm),
-                       norm);
+    return jobs.empty() ? std::vector<tracker::FinishedAlignment>{}
+                        : Alignments(machine_).Run(jobs);
   }
 
  private:
+  using Alignments = BlockAlignments<Machine>;
   using Reference = BlockReference<Machine>;
   using Current = BlockCurrent<Machine>;
   using Picture = BlockImage<Machine>;
   using Pyramid = typename BlockImaging<Machine>::Pyramid;
   using Doubles = typename Machine::template Array<double>;
-  static constexpr int kPixelsPerThread = 4;
 
   static kernel::Warp<float> WarpOf(const PinholeCamera& camera, const SE3d& pose) {
     return kernel::Warp<float>(kernel::Warp<double>(pose, camera));
@@ -125,16 +128,8 @@ class BlockBackend : public tracker::Backend {
     return visible;
   }
 
-  static float InverseSquare(double x) { return x > 0 ? float(1 / (x * x)) : 0.0f; }
-  static kernel::RobustNorm<float> NormOf(const tracker::RobustBounds& bounds) {
-    return {InverseSquare(bounds.gradient), InverseSquare(bounds.scale),
-            float(std::sqrt(bounds.weight))};
-  }
-
-  template <Residuals kKind>
-  std::vector<double> Reduce(const tracker::ImagePair& pair, int level,
-                             const SE3d& current_from_reference,
-                             const tracker::ResidualNorm& norm) const {
+  ImageSums Reduce(Residuals kind, const tracker::ImagePair& pair, int level,
+                   const SE3d& current_from_reference, const tracker::ResidualNorm& norm) const {
     const auto& reference = dynamic_cast<const Reference&>(pair.reference);
     const auto& current = dynamic_cast<const Current&>(pair.current);
     CheckLevel(reference, current, level);
@@ -142,43 +137,22 @@ class BlockBackend : public tracker::Backend {
     const Picture& depth_m = reference.depth_m[level];
     const int width = depth_m.width, height = depth_m.height;
     // No pixel of a smaller image has four pixels around it.
-    if (width < 2 || height < 2) return std::vector<double>(kSums);
+    if (width < 2 || height < 2) return {};
     const float* inverse_depth = norm.use_depth ? current.inverse_depth[level].data() : nullptr;
-    const Grid grid = GridFor(depth_m.size(), kPixelsPerThread);
-    Doubles block_sums(machine_, std::size_t(grid.blocks) * kSums), sums(machine_, kSums);
-    machine_.Run(
-        grid, LinearizeBody<kKind>{WarpOf(reference.levels()[level].camera, current_from_reference),
-                                   width,
-                                   height,
-                                   reference.intensity[level].data(),
-                                   depth_m.data(),
-                                   {current.intensity[level].data(), width, height},
-                                   {inverse_depth, width, height},
-                                   NormOf(norm.intensity),
-                                   NormOf(norm.inverse_depth),
-                                   block_sums.data()});
-    machine_.Run({1, kThreads}, AddBlocks{block_sums.data(), grid.blocks, sums.data()});
-    return machine_.Download(sums);
-  }
-
-  static tracker::PhotometricCost CostOf(const std::vector<double>& sums) {
-    return {0.5 * sums[kSquaresSum], std::int64_t(sums[kCountSum]), sums[kSquaresSum]};
-  }
-
-  static tracker::NormalEquations EquationsOf(const std::vector<double>& sums,
-                                              const tracker::ResidualNorm& norm) {
-    tracker::NormalEquations equations;
-    for (std::size_t k = 0; k < equations.hessian.size(); ++k) equations.hessian[k] = sums[k];
-    for (std::size_t k = 0; k < equations.gradient.size(); ++k) {
-      equations.gradient[k] = sums[equations.hessian.size() + k];
-    }
-    equations.cost = CostOf(sums);
-    if (!norm.robust()) return equations;
-    equations.intensity = {sums[kRobustSum], std::int64_t(sums[kCountSum])};
-    equations.inverse_depth = {sums[kDepthRobustSum], std::int64_t(sums[kDepthCountSum])};
-    equations.cost.sum = 0.5 * (norm.intensity.weight * equations.intensity.squares +
-                                norm.inverse_depth.weight * equations.inverse_depth.squares);
-    return equations;
+    const Tiling tiling = TilingOf(width, height);
+    const PixelPass pass{WarpOf(reference.levels()[level].camera, current_from_reference),
+                         reference.intensity[level].data(),
+                         depth_m.data(),
+                         {current.intensity[level].data(), width, height},
+                         {inverse_depth, width, height},
+                         tracker::FloatNorm<kernel::RobustNorm<float>>(norm.intensity),
+                         tracker::FloatNorm<kernel::RobustNorm<float>>(norm.inverse_depth)};
+    Doubles unit_sums(machine_, std::size_t(tiling.units()) * kSums);
+    Doubles tile_sums(machine_, std::size_t(tiling.tiles) * kSums);
+    typename Machine::template Array<ImageSums> image(machine_, 1);
+    machine_.Run({tiling.units(), kThreads}, LinearizeBody{pass, kind, tiling, unit_sums.data()});
+    machine_.Run({1, kThreads}, AddUnits{tiling, unit_sums.data(), tile_sums.data(), image.data()});
+    return machine_.Download(image).front();
   }
 
   std::string name_;

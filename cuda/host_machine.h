@@ -46,17 +46,65 @@ class HostMachine {
   void Run(const Grid& grid, const Body& body) const {
     const auto shared = std::make_unique<typename Body::Shared>();
     for (int i = 0; i < grid.blocks; ++i) {
-      const int block = order_ == ThreadOrder::kForward ? i : grid.blocks - 1 - i;
+      const int block = Ordered(i, grid.blocks);
       for (int phase = 0; phase < Body::kPhases; ++phase) {
         for (int j = 0; j < grid.threads; ++j) {
-          const int thread = order_ == ThreadOrder::kForward ? j : grid.threads - 1 - j;
-          body.Run(phase, {block, thread, grid}, *shared);
+          body.Run(phase, {block, Ordered(j, grid.threads), grid}, *shared);
+        }
+      }
+    }
+  }
+
+  // So many blocks could meet at once: enough for groups of several, not as many as units.
+  template <typename Body>
+  int ResidentBlocks() const {
+    return order_ == ThreadOrder::kForward ? 5 : 3;
+  }
+
+  // Groups one after the other; in each round every block does all of its work before the first one
+  // decides, and that before any goes on.
+  template <typename Body>
+  void RunGroups(int groups, int blocks, const Body& body) const {
+    for (int i = 0; i < groups; ++i) {
+      const int group = Ordered(i, groups);
+      std::vector<std::unique_ptr<typename Body::Shared>> shared;
+      for (int j = 0; j < blocks; ++j) shared.push_back(std::make_unique<typename Body::Shared>());
+      const GroupPlace first{group, groups, 0, blocks, 0};
+      for (Decide(first, body, *shared[0]); !body.Finished(first);
+           Decide(first, body, *shared[0])) {
+        for (int j = 0; j < blocks; ++j) {
+          const int block = Ordered(j, blocks);
+          Work({group, groups, block, blocks, 0}, body, *shared[block]);
         }
       }
     }
   }
 
  private:
+  int Ordered(int i, int n) const { return order_ == ThreadOrder::kForward ? i : n - 1 - i; }
+
+  template <typename Body>
+  void Work(GroupPlace place, const Body& body, typename Body::Shared& shared) const {
+    const int phases = body.WorkPhases(place);
+    for (int phase = 0; phase < phases; ++phase) {
+      for (int i = 0; i < kThreads; ++i) {
+        place.thread = Ordered(i, kThreads);
+        body.Work(phase, place, shared);
+      }
+    }
+  }
+
+  template <typename Body>
+  void Decide(GroupPlace place, const Body& body, typename Body::Shared& shared) const {
+    const int phases = body.DecidePhases(place);
+    for (int phase = 0; phase < phases; ++phase) {
+      for (int i = 0; i < kThreads; ++i) {
+        place.thread = Ordered(i, kThreads);
+        body.Decide(phase, phases, place, shared);
+      }
+    }
+  }
+
   ThreadOrder order_;
 };
 

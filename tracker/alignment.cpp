@@ -2,27 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "silt/tracker/alignment.h"
 
-#include <Eigen/Cholesky>
 #include <memory>
 #include <utility>
 
 #include "silt/core/error.h"
-#include "silt/tracker/levenberg_marquardt.h"
+#include "silt/core/parallel.h"
+#include "silt/tracker/alignment_result.h"
+#include "silt/tracker/judged_residuals.h"
 #include "silt/tracker/residual_scale.h"
 #include "silt/tracker/stopwatch.h"
 
 namespace silt::tracker {
 namespace {
-
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-Matrix6 SymmetricMatrix(const std::array<double, 21>& upper) {
-  Matrix6 h;
-  for (int i = 0, k = 0; i < 6; ++i) {
-    for (int j = i; j < 6; ++j, ++k) h(i, j) = h(j, i) = upper[k];
-  }
-  return h;
-}
 
 AlignmentPlan PlanOf(const std::vector<ReferenceView>& references, const CurrentPyramid& current,
                      const AlignmentOptions& options) {
@@ -113,67 +104,44 @@ class Evaluation {
   std::vector<std::unique_ptr<ReferencePyramid>> visible_;  // the references, less hidden pixels
 };
 
-std::string Text(const LevenbergMarquardt& optimizer, const AlignmentPlan& plan) {
-  switch (optimizer.failure()) {
-    case AlignmentFailure::kTooFewPixels:
-      return "the images share " + std::to_string(optimizer.equations().cost.pixels) + " of " +
-             std::to_string(plan.measured_pixels[optimizer.level() - 1]) +
-             " measured pixels at level " + std::to_string(optimizer.level());
-    case AlignmentFailure::kNoSolution:
-      return "the normal equations have no finite solution";
-    case AlignmentFailure::kNoLevel:
-      return "no pyramid level has enough measured pixels";
-    case AlignmentFailure::kNoTexture:
-      return "the images' texture does not determine a pose";
-    case AlignmentFailure::kNone:
-      break;
+AlignmentJob JobOf(const std::vector<ReferenceView>& references, const CurrentPyramid& current,
+                   const SE3d& initial, const AlignmentOptions& options) {
+  SILT_CHECK(!references.empty());
+  for (const ReferenceView& reference : references) {
+    SILT_CHECK(int(reference.pyramid.levels().size()) >= options.levels());
   }
-  return "";
+  return {PlanOf(references, current, options),
+          references,
+          current,
+          options.exclude_hidden,
+          initial,
+          JudgedLevel(references.front().pyramid),
+          JudgedNorm()};
 }
 
-// Of a residual that knows nothing of its neighbours. Depth residuals come with weights in these
-// units already.
-double ResidualVariance(const LevenbergMarquardt& optimizer, const AlignmentOptions& options) {
-  if (optimizer.norm().use_depth) return 1;
-  const double scale = optimizer.norm().intensity.scale / options.robust_scale;
-  return options.robust() ? scale * scale : optimizer.equations().cost.mean_square();
+AlignmentResult ResultOf(const FinishedAlignment& finished, const AlignmentJob& job,
+                         const AlignmentOptions& options) {
+  AlignmentResult result =
+      ResultOf(finished.optimizer, job.plan, job.references.front().pyramid.levels(), options);
+  if (!result.ok) result.current_from_reference = job.initial;
+  return result;
 }
 
-// C = κ·H⁻¹ with κ = tr(H⁻¹·Σg·gᵀ)/6: the variance of the residuals by what the gradients of
-// tiles scatter, so that neighbours that err together count for fewer. A robust norm's curvature
-// is less than H, which holds weights alone.
-Covariance6 CovarianceOf(const LevenbergMarquardt& optimizer, const AlignmentOptions& options) {
-  const NormalEquations& equations = optimizer.equations();
-  const double loss = options.robust() ? CurvatureLoss(options.robust_scale) : 1;
-  const Matrix6 inverse = SymmetricMatrix(equations.hessian).ldlt().solve(Matrix6::Identity());
-  const double scattered = (inverse * SymmetricMatrix(equations.scatter)).trace() / 6;
-  const double variance = scattered > 0 ? scattered : ResidualVariance(optimizer, options);
-  Covariance6 covariance;
-  for (int i = 0; i < 36; ++i) {
-    covariance[i] = variance * loss * loss * 0.5 * (inverse(i / 6, i % 6) + inverse(i % 6, i / 6));
+AlignmentResult StepByStep(const Backend& backend, const AlignmentJob& job,
+                           const AlignmentOptions& options) {
+  Evaluation evaluation(backend, job.references, job.current, job.exclude_hidden);
+  LevenbergMarquardt optimizer(job.plan, job.initial);
+  std::vector<AlignmentStep> log;
+  while (optimizer.wanted() != LevenbergMarquardt::Wanted::kNothing) {
+    const NormalEquations equations = evaluation.Compute(optimizer);
+    const int steps = optimizer.steps();
+    const Stopwatch watch(&evaluation.times.update_ms);
+    optimizer.Take(job.plan, equations);
+    if (options.keep_log && optimizer.steps() > steps) log.push_back(optimizer.last_step());
   }
-  return covariance;
-}
-
-// What of an alignment its optimizer knows.
-AlignmentResult ResultOf(const LevenbergMarquardt& optimizer, const AlignmentPlan& plan,
-                         const std::vector<PyramidLevel>& levels, const AlignmentOptions& options) {
-  AlignmentResult result;
-  for (int i = 0; i < optimizer.level_count(); ++i) {
-    AlignmentLevel summary = optimizer.level_summary(i);
-    const PinholeCamera& camera = levels[summary.level - 1].camera;
-    summary.width = camera.width;
-    summary.height = camera.height;
-    result.levels.push_back(summary);
-  }
-  result.failure = Text(optimizer, plan);
-  result.ok = result.failure.empty();
-  if (options.robust()) {
-    result.intensity_scale = optimizer.norm().intensity.scale / options.robust_scale;
-    result.inverse_depth_scale = optimizer.norm().inverse_depth.scale / options.robust_scale;
-  }
-  if (result.ok) result.covariance = CovarianceOf(optimizer, options);
-  result.current_from_reference = optimizer.accepted_pose();
+  AlignmentResult result = ResultOf(FinishedAlignment{optimizer, {}}, job, options);
+  result.times = evaluation.times;
+  result.log = std::move(log);
   return result;
 }
 
@@ -182,31 +150,44 @@ AlignmentResult ResultOf(const LevenbergMarquardt& optimizer, const AlignmentPla
 AlignmentResult Align(const Backend& backend, const std::vector<ReferenceView>& references,
                       const CurrentPyramid& current, const SE3d& initial,
                       const AlignmentOptions& options) {
-  SILT_CHECK(!references.empty());
-  for (const ReferenceView& reference : references) {
-    SILT_CHECK(int(reference.pyramid.levels().size()) >= options.levels());
+  const AlignmentJob job = JobOf(references, current, initial, options);
+  double milliseconds = 0;
+  std::vector<FinishedAlignment> finished;
+  {
+    const Stopwatch watch(&milliseconds);
+    finished = backend.Run({job});
   }
-  const AlignmentPlan plan = PlanOf(references, current, options);
-  Evaluation evaluation(backend, references, current, options.exclude_hidden);
-  LevenbergMarquardt optimizer(plan, initial);
-  std::vector<AlignmentStep> log;
-  while (optimizer.wanted() != LevenbergMarquardt::Wanted::kNothing) {
-    const NormalEquations equations = evaluation.Compute(optimizer);
-    const int steps = optimizer.steps();
-    const Stopwatch watch(&evaluation.times.update_ms);
-    optimizer.Take(plan, equations);
-    if (options.keep_log && optimizer.steps() > steps) log.push_back(optimizer.last_step());
-  }
-  AlignmentResult result = ResultOf(optimizer, plan, references.front().pyramid.levels(), options);
-  if (!result.ok) result.current_from_reference = initial;
-  result.times = evaluation.times;
-  result.log = std::move(log);
+  if (finished.empty()) return StepByStep(backend, job, options);
+  AlignmentResult result = ResultOf(finished.front(), job, options);
+  result.times.jacobian_ms = milliseconds;  // the whole of it: it is not known in parts
+  if (result.ok) result.judged = finished.front().judged;
   return result;
 }
 
 AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d& initial,
                       const AlignmentOptions& options) {
   return Align(backend, {{pair.reference, {}}}, pair.current, initial, options);
+}
+
+std::vector<AlignmentResult> AlignBatch(const Backend& backend,
+                                        const std::vector<AlignmentStart>& starts,
+                                        const AlignmentOptions& options) {
+  std::vector<AlignmentJob> jobs;
+  for (const AlignmentStart& start : starts) {
+    jobs.push_back(JobOf({{start.reference, {}}}, start.current, start.initial, options));
+    jobs.back().judged_level = -1;
+  }
+  const std::vector<FinishedAlignment> finished = backend.Run(jobs);
+  std::vector<AlignmentResult> results(starts.size());
+  for (std::size_t i = 0; i < finished.size(); ++i) {
+    results[i] = ResultOf(finished[i], jobs[i], options);
+  }
+  if (!finished.empty()) return results;
+  // Pairs side by side, rather than the pixels of one.
+  ParallelFor(int(jobs.size()), [&](int i) {
+    results[std::size_t(i)] = StepByStep(backend, jobs[std::size_t(i)], options);
+  });
+  return results;
 }
 
 }  // namespace silt::tracker

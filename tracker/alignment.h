@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,18 +34,13 @@ struct AlignmentResult {
   // Of ξ = (ω, v), applied on the left of the pose, which is to say in the current camera's frame.
   // Zeros where not ok.
   Covariance6 covariance{};
+  // Of the residuals of judged_residuals.h, where the backend has found them on the way.
+  std::optional<NormalEquations::Spread> judged;
 
   // ½Σr² at the finest level that was run.
   PhotometricCost final_cost() const {
     return levels.empty() ? PhotometricCost{} : levels.back().final_cost;
   }
-};
-
-// A keyframe and where it stands: the pose that is sought is current_from_anchor, and the camera of
-// the reference sees a point of the anchor's frame through anchor_from_reference⁻¹.
-struct ReferenceView {
-  const ReferencePyramid& pyramid;
-  SE3d anchor_from_reference;
 };
 
 // Algorithm 1: Levenberg-Marquardt from the coarsest level to the finest, over the pixels of all
@@ -57,5 +53,17 @@ AlignmentResult Align(const Backend& backend, const std::vector<ReferenceView>& 
 // With one reference, which is the anchor.
 AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d& initial,
                       const AlignmentOptions& options);
+
+// Images, which outlive the call, and where to start.
+struct AlignmentStart {
+  const ReferencePyramid& reference;
+  const CurrentPyramid& current;
+  SE3d initial;
+};
+
+// What Align finds from each of them, as many at once as the backend can run.
+std::vector<AlignmentResult> AlignBatch(const Backend& backend,
+                                        const std::vector<AlignmentStart>& starts,
+                                        const AlignmentOptions& options);
 
 }  // namespace silt::tracker

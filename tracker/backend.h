@@ -9,6 +9,7 @@
 #include "silt/core/camera.h"
 #include "silt/core/image.h"
 #include "silt/core/se3.h"
+#include "silt/tracker/levenberg_marquardt.h"
 #include "silt/tracker/normal_equations.h"
 #include "silt/tracker/options.h"
 #include "silt/tracker/residual_norm.h"
@@ -47,6 +48,31 @@ struct ImagePair {
   const CurrentPyramid& current;
 };
 
+// A keyframe and where it stands: the pose that is sought is current_from_anchor, and the camera of
+// the reference sees a point of the anchor's frame through anchor_from_reference⁻¹.
+struct ReferenceView {
+  const ReferencePyramid& pyramid;
+  SE3d anchor_from_reference;
+};
+
+// A whole alignment, for backends that can run it by themselves.
+struct AlignmentJob {
+  AlignmentPlan plan;
+  std::vector<ReferenceView> references;
+  const CurrentPyramid& current;
+  bool exclude_hidden = false;
+  SE3d initial;
+  // At the end, the residuals of the first reference's pixels, hidden ones too, at a level of which
+  // 0 is the finest, with this norm; −1: they are not asked for.
+  int judged_level = -1;
+  ResidualNorm judged_norm;
+};
+
+struct FinishedAlignment {
+  LevenbergMarquardt optimizer;    // wants nothing any more
+  NormalEquations::Spread judged;  // of the intensity; zeros where it has failed
+};
+
 // Reductions over pixels; knows no vision beyond tracker/kernel. Every sum has the same bits in
 // every run and for any number of threads, and both reductions give the same cost.
 class Backend {
@@ -78,6 +104,11 @@ class Backend {
   virtual NormalEquations Linearize(const ImagePair& pair, int level,
                                     const SE3d& current_from_reference,
                                     const ResidualNorm& norm = {}) const = 0;
+
+  // The jobs' ends, in their order, of a backend that decides what comes next where the images lie
+  // and runs any number of alignments at once. Nothing where it cannot, or has not learnt how to
+  // run one of them: the caller then goes step by step.
+  virtual std::vector<FinishedAlignment> Run(const std::vector<AlignmentJob>&) const { return {}; }
 };
 
 }  // namespace silt::tracker

@@ -6,31 +6,21 @@
 #include <cstdio>
 #include <optional>
 
+#include "silt/tracker/judged_residuals.h"
 #include "silt/tracker/pose_covariance.h"
 
 namespace silt::tracker {
 namespace {
 
-// Residuals up to c are what noise leaves, and steep gradients excuse more, see
-// kernel/robust_norm.h.
-constexpr double kInlierBound = 20.0 / 255, kInlierGradient = 8.0 / 255;
-
-// A quarter of the size does, and takes a sixteenth of the time.
-int JudgedLevel(const ReferencePyramid& reference) {
-  int level = std::min(2, int(reference.levels().size()) - 1);
-  while (level > 0 && reference.levels()[level].measured_pixels < 1000) --level;
-  return level;
-}
-
 // 1 − mean(s·r²)/c²: a residual counts as an outlier by r²/(a·c² + r²).
 double InlierRatio(const Backend& backend, const ImagePair& pair,
-                   const SE3d& current_from_reference) {
-  ResidualNorm norm;
-  norm.intensity.scale = kInlierBound;
-  norm.intensity.gradient = kInlierGradient;
-  const int level = JudgedLevel(pair.reference);
+                   const AlignmentResult& alignment) {
   const NormalEquations::Spread spread =
-      backend.Linearize(pair, level, current_from_reference, norm).intensity;
+      alignment.judged ? *alignment.judged
+                       : backend
+                             .Linearize(pair, JudgedLevel(pair.reference),
+                                        alignment.current_from_reference, JudgedNorm())
+                             .intensity;
   if (spread.count == 0) return 0;
   return 1 - spread.squares / double(spread.count) / (kInlierBound * kInlierBound);
 }
@@ -89,8 +79,7 @@ PoseEvidence EvidenceOf(const Backend& backend, const std::vector<ReferenceView>
   evidence.overlap = double(finest.final_cost.pixels) / std::max(measured, 1.0);
   evidence.unexplained_variance = finest.final_cost.mean_square() / content.variance;
   evidence.depth_disagreement = alignment.inverse_depth_scale / content.mean_inverse_depth;
-  evidence.inlier_ratio =
-      InlierRatio(backend, {references.front().pyramid, current}, alignment.current_from_reference);
+  evidence.inlier_ratio = InlierRatio(backend, {references.front().pyramid, current}, alignment);
   evidence.uncertainty_rad = LargestDeviation(alignment.covariance, content.mean_inverse_depth);
   return evidence;
 }

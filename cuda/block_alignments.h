@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "silt/cuda/align_body.h"
+#include "silt/cuda/block_pyramids.h"
+#include "silt/tracker/backend.h"
+
+namespace silt::cuda {
+
+// Runs alignments on a machine without coming back for each of their steps; see AlignBody. The
+// result of each is that of BlockBackend's reductions, bit by bit, however many run at once.
+template <typename Machine>
+class BlockAlignments {
+ public:
+  explicit BlockAlignments(const Machine& machine) : machine_(machine) {}
+
+  static bool CanRun(const tracker::AlignmentJob& job) {
+    return !job.plan.keep_log && int(job.references.size()) <= kMaxReferences;
+  }
+
+  std::vector<tracker::FinishedAlignment> Run(
+      const std::vector<tracker::AlignmentJob>& jobs) const {
+    std::vector<AlignTask> tasks;
+    std::vector<AlignStart> starts;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      if (i == 0 || !SameTask(jobs[i - 1], jobs[i])) tasks.push_back(TaskOf(jobs[i]));
+      starts.push_back({int(tasks.size()) - 1, jobs[i].initial});
+    }
+    std::vector<tracker::FinishedAlignment> finished;
+    for (const AlignBody::Outcome& outcome : Run(tasks, starts)) {
+      finished.push_back({outcome.optimizer, outcome.judged});
+    }
+    return finished;
+  }
+
+ private:
+  using Reference = BlockReference<Machine>;
+  using Current = BlockCurrent<Machine>;
+  template <typename T>
+  using Array = typename Machine::template Array<T>;
+
+  // Of all groups together: more would not run faster than those that this much serves.
+  static constexpr std::size_t kScratchBytes = std::size_t(4) << 30;
+
+  // The same images, seen through the same options: all jobs of a batch have those.
+  static bool SameTask(const tracker::AlignmentJob& a, const tracker::AlignmentJob& b) {
+    return &a.current == &b.current && a.references.size() == 1 && b.references.size() == 1 &&
+           &a.references[0].pyramid == &b.references[0].pyramid;
+  }
+
+  static AlignTask TaskOf(const tracker::AlignmentJob& job) {
+    const auto& current = dynamic_cast<const Current&>(job.current);
+    AlignTask task{};
+    task.plan = job.plan;
+    task.exclude_hidden = job.exclude_hidden;
+    task.references = int(job.references.size());
+    task.judged_level = job.judged_level;
+    task.judged_norm = job.judged_norm;
+    SILT_CHECK(int(current.intensity.size()) >= job.plan.levels);
+    SILT_CHECK(!job.plan.use_depth || !current.inverse_depth.empty());
+    for (std::size_t l = 0; l < current.intensity.size(); ++l) {
+      task.intensity[l] = current.intensity[l].data();
+      task.depth_m[l] = current.has_depth() ? current.depth_m[l].data() : nullptr;
+      task.inverse_depth[l] =
+          current.inverse_depth.empty() ? nullptr : current.inverse_depth[l].data();
+    }
+    for (int r = 0; r < task.references; ++r) {
+      task.reference[r] = ReferenceOf(job.references[r], current);
+    }
+    return task;
+  }
+
+  static TaskReference ReferenceOf(const tracker::ReferenceView& view, const Current& current) {
+    const auto& pyramid = dynamic_cast<const Reference&>(view.pyramid);
+    SILT_CHECK(pyramid.depth_m.size() <= current.intensity.size());
+    TaskReference reference{};
+    reference.anchor_from_reference = view.anchor_from_reference;
+    for (std::size_t l = 0; l < pyramid.depth_m.size(); ++l) {
+      SILT_CHECK(current.intensity[l].width == pyramid.depth_m[l].width &&
+                 current.intensity[l].height == pyramid.depth_m[l].height);
+      reference.intensity[l] = pyramid.intensity[l].data();
+      reference.depth_m[l] = pyramid.depth_m[l].data();
+      reference.cameras[l] = pyramid.levels()[l].camera;
+    }
+    return reference;
+  }
+
+  static ScratchSize SizeOf(const std::vector<AlignTask>& tasks) {
+    ScratchSize size;
+    for (const AlignTask& task : tasks) {
+      std::size_t pixels = 0;
+      for (int l = 0; l < task.plan.levels; ++l) {
+        const PinholeCamera& camera = task.reference[0].cameras[l];
+        const Tiling tiling = TilingOf(camera.width, camera.height);
+        pixels += std::size_t(camera.width) * std::size_t(camera.height);
+        size.units = std::max(size.units, std::size_t(tiling.units()));
+        size.tiles = std::max(size.tiles, std::size_t(tiling.tiles));
+      }
+      if (!task.exclude_hidden) continue;
+      size.visible = std::max(size.visible, pixels);
+      if (task.depth_m[0] != nullptr) continue;
+      const PinholeCamera& camera = task.reference[0].cameras[0];
+      const kernel::CellGrid cells = kernel::CellsOf(camera.width, camera.height);
+      size.cells = std::max(size.cells, std::size_t(cells.columns) * std::size_t(cells.rows));
+    }
+    return size;
+  }
+
+  std::vector<AlignBody::Outcome> Run(const std::vector<AlignTask>& tasks,
+                                      const std::vector<AlignStart>& starts) const {
+    const ScratchSize size = SizeOf(tasks);
+    int references = 1;
+    for (const AlignTask& task : tasks) references = std::max(references, task.references);
+    const std::size_t of_group = references * ((size.visible + 2 * size.cells) * sizeof(float) +
+                                               size.units * kSums * sizeof(double)) +
+                                 size.tiles * kSums * sizeof(double);
+    const int resident = machine_.template ResidentBlocks<AlignBody>();
+    const int groups =
+        std::clamp(int(kScratchBytes / of_group), 1, std::min(int(starts.size()), resident));
+    // No image has more work for a group than its units.
+    const int blocks = std::clamp(int(references * size.units), 1, resident / groups);
+
+    const std::size_t n = std::size_t(groups);
+    Array<AlignTask> task_array(machine_, tasks.size());
+    Array<AlignStart> start_array(machine_, starts.size());
+    Array<Round> rounds(machine_, n);
+    Array<AlignBody::Outcome> outcomes(machine_, starts.size());
+    Array<float> visible(machine_, n * references * size.visible);
+    Array<float> nearest(machine_, n * references * size.cells);
+    Array<float> spread(machine_, n * references * size.cells);
+    Array<double> unit_sums(machine_, n * references * size.units * kSums);
+    Array<double> tile_sums(machine_, n * size.tiles * kSums);
+    machine_.Upload(tasks.data(), task_array);
+    machine_.Upload(starts.data(), start_array);
+    machine_.Upload(std::vector<Round>(n).data(), rounds);
+    const Scratch scratch{visible.data(), nearest.data(), spread.data(), unit_sums.data(),
+                          tile_sums.data()};
+    machine_.RunGroups(groups, blocks,
+                       AlignBody{task_array.data(), start_array.data(), int(starts.size()),
+                                 rounds.data(), scratch, size, references, outcomes.data()});
+    return machine_.Download(outcomes);
+  }
+
+  const Machine& machine_;
+};
+
+}  // namespace silt::cuda

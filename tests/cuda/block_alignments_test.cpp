@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/cuda/block_alignments.h"
+
+#include <gtest/gtest.h>
+
+#include "silt/tracker/trust.h"
+#include "wavy_wall.h"
+
+// Alignments that a machine runs from end to end, against those that come back for each step.
+namespace silt::cuda {
+namespace {
+
+using tracker::AlignmentOptions;
+using tracker::AlignmentResult;
+
+bool SamePose(const SE3d& a, const SE3d& b) {
+  return a.rotation.w == b.rotation.w && a.rotation.x == b.rotation.x &&
+         a.rotation.y == b.rotation.y && a.rotation.z == b.rotation.z &&
+         a.translation.x == b.translation.x && a.translation.y == b.translation.y &&
+         a.translation.z == b.translation.z;
+}
+
+void ExpectSame(const AlignmentResult& a, const AlignmentResult& b) {
+  EXPECT_EQ(a.ok, b.ok);
+  EXPECT_EQ(a.failure, b.failure);
+  EXPECT_TRUE(SamePose(a.current_from_reference, b.current_from_reference));
+  EXPECT_EQ(a.covariance, b.covariance);
+  EXPECT_EQ(a.intensity_scale, b.intensity_scale);
+  EXPECT_EQ(a.inverse_depth_scale, b.inverse_depth_scale);
+  ASSERT_EQ(a.levels.size(), b.levels.size());
+  for (std::size_t i = 0; i < a.levels.size(); ++i) {
+    EXPECT_EQ(a.levels[i].level, b.levels[i].level);
+    EXPECT_EQ(a.levels[i].width, b.levels[i].width);
+    EXPECT_EQ(a.levels[i].iterations, b.levels[i].iterations);
+    EXPECT_EQ(a.levels[i].converged, b.levels[i].converged);
+    EXPECT_EQ(a.levels[i].initial_cost, b.levels[i].initial_cost);
+    EXPECT_EQ(a.levels[i].final_cost, b.levels[i].final_cost);
+  }
+}
+
+// A log makes the caller decide step by step.
+AlignmentOptions StepByStep(AlignmentOptions options) {
+  options.keep_log = true;
+  return options;
+}
+
+std::vector<AlignmentOptions> AllOptions() {
+  std::vector<AlignmentOptions> all{
+      tracker::PaperPreset().alignment, tracker::PaperAllPixelsPreset().alignment,
+      tracker::AccuratePreset().alignment, tracker::FastPreset().alignment};
+  all.push_back(all[2]);
+  all.back().depth_residual = false;
+  all.push_back(all[0]);
+  all.back().rotation_only = true;
+  all.back().max_iterations = {0, 5, 0, 8};
+  all.push_back(all[2]);
+  all.back().max_iterations = {3, 3, 4, 5, 6, 7};
+  return all;
+}
+
+class BlockAlignmentsOn : public BackendTest {};
+INSTANTIATE_BACKENDS(BlockAlignmentsOn);
+
+TEST_P(BlockAlignmentsOn, EndWhereStepsOneByOneEnd) {
+  int aligned = 0;
+  for (const AlignmentOptions& options : AllOptions()) {
+    for (const bool with_depth : {true, false}) {
+      const Pair pair = MakePair(*block_, options.Pyramids(), with_depth);
+      for (const double start : {0.0, 0.7, 1.5}) {
+        const SE3d initial = SE3d::Exp(start * kPose.Log());
+        const AlignmentResult whole = tracker::Align(*block_, pair.images(), initial, options);
+        EXPECT_TRUE(whole.log.empty());
+        const AlignmentResult steps =
+            tracker::Align(*block_, pair.images(), initial, StepByStep(options));
+        EXPECT_EQ(steps.log.empty(), !steps.ok);
+        aligned += steps.ok;
+        ExpectSame(whole, steps);
+      }
+    }
+  }
+  EXPECT_GT(aligned, 30);
+}
+
+TEST_P(BlockAlignmentsOn, SeveralReferencesTogether) {
+  for (const bool with_depth : {true, false}) {
+    AlignmentOptions options = tracker::AccuratePreset().alignment;
+    options.depth_residual = options.use_current_depth = with_depth;
+    const Pair pair = MakePair(*block_, options.Pyramids(), with_depth);
+    const SE3d anchor_from_other = SE3d::Exp({{0.01, 0.02, -0.01}, {-0.02, 0.03, 0.01}});
+    const Pictures other = Scene(anchor_from_other.Inverse());
+    const auto reference =
+        block_->MakeReference(other.intensity, other.depth_m, kCamera, options.Pyramids());
+    const std::vector<tracker::ReferenceView> views{
+        {*pair.reference, {}}, {*reference, anchor_from_other}, {*pair.reference, {}}};
+    const AlignmentResult whole = tracker::Align(*block_, views, *pair.current, {}, options);
+    ExpectSame(whole, tracker::Align(*block_, views, *pair.current, {}, StepByStep(options)));
+    EXPECT_TRUE(whole.ok);
+    EXPECT_LT(Norm((whole.current_from_reference * kPose.Inverse()).Log().v), 1e-3);
+  }
+}
+
+TEST_P(BlockAlignmentsOn, JudgeWhatTheCallerWould) {
+  const AlignmentOptions options = tracker::FastPreset().alignment;
+  const Pair pair = MakePair(*block_, options.Pyramids());
+  AlignmentResult whole = tracker::Align(*block_, pair.images(), {}, options);
+  ASSERT_TRUE(whole.judged);
+  const std::vector<tracker::ReferenceView> views{{*pair.reference, {}}};
+  const tracker::ImageContent content{1, 0.05, 0.5};
+  const double on_the_way =
+      tracker::EvidenceOf(*block_, views, *pair.current, whole, content).inlier_ratio;
+  whole.judged.reset();
+  EXPECT_EQ(tracker::EvidenceOf(*block_, views, *pair.current, whole, content).inlier_ratio,
+            on_the_way);
+  EXPECT_GT(on_the_way, 0.5);
+  EXPECT_LT(on_the_way, 1);
+}
+
+TEST_P(BlockAlignmentsOn, FailAsTheyWouldStepByStep) {
+  const AlignmentOptions options = tracker::AccuratePreset().alignment;
+  const Pair pair = MakePair(*block_, options.Pyramids());
+  // Turned away; and nothing measured at all.
+  const SE3d away = SE3d::Exp({{0, 2, 0}, {0, 0, 0}});
+  const AlignmentResult lost = tracker::Align(*block_, pair.images(), away, options);
+  EXPECT_FALSE(lost.ok);
+  EXPECT_FALSE(lost.judged);
+  ExpectSame(lost, tracker::Align(*block_, pair.images(), away, StepByStep(options)));
+  const Pictures current = Scene(kPose);
+  const auto blind =
+      block_->MakeReference(current.intensity, Image<float>(kCamera.width, kCamera.height, 0.0f),
+                            kCamera, options.Pyramids());
+  const AlignmentResult none = tracker::Align(*block_, {*blind, *pair.current}, {}, options);
+  EXPECT_EQ(none.failure, "no pyramid level has enough measured pixels");
+}
+
+// More starts than groups, of two pairs, good and bad.
+TEST_P(BlockAlignmentsOn, ABatchFindsWhatEachOfItFinds) {
+  for (AlignmentOptions options :
+       {tracker::PaperPreset().alignment, tracker::FastPreset().alignment}) {
+    options.max_iterations = {2, 3, 4, 5};
+    const Pair pair = MakePair(*block_, options.Pyramids());
+    const Pictures other = Scene(SE3d::Exp({{0, 0.02, 0}, {0, 0, 0.03}}));
+    const auto reference =
+        block_->MakeReference(other.intensity, other.depth_m, kCamera, options.Pyramids());
+    const auto blind =
+        block_->MakeReference(other.intensity, Image<float>(kCamera.width, kCamera.height, 0.0f),
+                              kCamera, options.Pyramids());
+    std::vector<tracker::AlignmentStart> starts;
+    for (int i = 0; i < 13; ++i) {
+      const tracker::ReferencePyramid& from = i == 7  ? *blind
+                                              : i < 7 ? *pair.reference
+                                                      : *reference;
+      starts.push_back({from, *pair.current, SE3d::Exp(0.2 * i * kPose.Log())});
+    }
+    starts.back().initial = SE3d::Exp({{0, 2, 0}, {0, 0, 0}});
+    const std::vector<AlignmentResult> batch = tracker::AlignBatch(*block_, starts, options);
+    ASSERT_EQ(batch.size(), starts.size());
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const auto& [from, current, initial] = starts[i];
+      ExpectSame(batch[i], tracker::Align(*block_, {from, current}, initial, options));
+    }
+    EXPECT_TRUE(batch[3].ok && batch[10].ok);
+    EXPECT_FALSE(batch[7].ok || batch[12].ok);
+  }
+}
+
+TEST_P(BlockAlignmentsOn, ABatchOfNothingIsNothing) {
+  EXPECT_TRUE(tracker::AlignBatch(*block_, {}, {}).empty());
+}
+
+}  // namespace
+}  // namespace silt::cuda
