@@ -34,6 +34,7 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("keyframes", "metres_per_radian", k.metres_per_radian);
   visit("keyframes", "joint", k.joint);
   visit("keyframes", "trusted_only", k.trusted_only);
+  visit("keyframes", "min_keyframe_overlap", k.min_overlap);
   auto& t = o.trust;
   visit("trust", "max_unexplained_variance", t.max_unexplained_variance);
   visit("trust", "max_depth_disagreement", t.max_depth_disagreement);
@@ -45,8 +46,17 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("trust", "doubtful_overlap", t.doubtful_overlap);
   visit("trust", "doubtful_uncertainty_rad", t.doubtful_uncertainty_rad);
   visit("", "always_initialize", o.always_initialize);
+  visit("", "start", o.start);
   visit("", "relocalization_candidates", o.relocalization_candidates);
 }
+
+struct NamedStart {
+  const char* name;
+  tracker::Start start;
+};
+constexpr NamedStart kStarts[] = {{"keyframe", tracker::Start::kKeyframe},
+                                  {"previous", tracker::Start::kPrevious},
+                                  {"constant-velocity", tracker::Start::kConstantVelocity}};
 
 template <typename T>
 bool ParseNumber(const std::string& text, T& value) {
@@ -61,6 +71,14 @@ bool Parse(const std::string& text, bool& value) {
   value = text == "1";
   return value || text == "0";
 }
+bool Parse(const std::string& text, tracker::Start& value) {
+  for (const NamedStart& known : kStarts) {
+    if (text != known.name) continue;
+    value = known.start;
+    return true;
+  }
+  return false;
+}
 bool Parse(const std::string& text, std::vector<int>& value) {
   value.clear();
   std::istringstream entries(text);
@@ -68,6 +86,17 @@ bool Parse(const std::string& text, std::vector<int>& value) {
     if (!ParseNumber(entry, value.emplace_back())) return false;
   }
   return !value.empty();
+}
+
+const char* JsonOf(tracker::Start start) {
+  for (const NamedStart& known : kStarts) {
+    if (start == known.start) return known.name;
+  }
+  return "";
+}
+template <typename T>
+const T& JsonOf(const T& value) {
+  return value;
 }
 
 void Change(tracker::TrackerOptions& options, const std::string& change,
@@ -117,7 +146,7 @@ tracker::TrackerOptions PresetOptions(const std::string& preset) {
 Json ToJson(const tracker::TrackerOptions& options) {
   Json json;
   VisitOptions(options, [&](const std::string& group, const char* name, const auto& value) {
-    (group.empty() ? json : json[group])[name] = value;
+    (group.empty() ? json : json[group])[name] = JsonOf(value);
   });
   return json;
 }

@@ -72,7 +72,8 @@ tracker::KeyframeTracker MakeTracker(const PinholeCamera& camera, const TrackerS
 }
 
 Json ToJson(const TrackerSetup& setup) {
-  Json json = experiments::ToJson(PresetOptions(setup.preset));
+  Json json = experiments::ToJson(
+      WithInitializer(PresetOptions(setup.preset), ParseInitializer(setup.initializer)));
   json["preset"] = setup.preset;
   json["backend"] = setup.backend;
   json["initializer"] = setup.initializer;

@@ -9,6 +9,7 @@
 #include "silt/core/error.h"
 #include "silt/tracker/relocalization.h"
 #include "silt/tracker/stopwatch.h"
+#include "silt/tracker/view_overlap.h"
 
 namespace silt::tracker {
 namespace {
@@ -49,6 +50,7 @@ TrackedFrame KeyframeTracker::Track(const Frame& frame,
     // The first frame is the first keyframe; later ones are aligned with the nearest keyframe.
     if (!keyframes_.empty()) {
       const SE3d expected = expected_world_from_camera.value_or(Predicted(frame.time_s));
+      foretold_ = expected_world_from_camera.has_value() || velocity_.has_value();
       Localize(frame, gray_, expected, &result);
     }
     if (NeedsNewKeyframe(result)) MakeKeyframe(frame, &result);
@@ -73,8 +75,9 @@ void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity
                                const SE3d& expected, TrackedFrame* result) {
   // The position of the previous image defines the nearest keyframe (§3.1).
   const std::vector<int> nearest =
-      NearestKeyframes(keyframes_, options_.always_initialize ? world_from_camera_ : expected,
-                       options_.keyframes, options_.keyframes.joint);
+      Seen(NearestKeyframes(keyframes_, options_.always_initialize ? world_from_camera_ : expected,
+                            options_.keyframes, options_.keyframes.joint),
+           expected);
   const Keyframe& keyframe = keyframes_[nearest.front()];
   result->keyframe_id = keyframe.id;
   const std::unique_ptr<CurrentPyramid> current = MakeCurrent(frame, intensity, result);
@@ -84,24 +87,26 @@ void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity
   Refine(nearest, *current, result->initial.current_from_keyframe.value_or(start), result);
   if (result->status == TrackingStatus::kLost) {
     velocity_.reset();
-    Relocalize(frame, intensity, *current, result);
+    Relocalize(frame, intensity, *current, expected, result);
   } else {
     Accept(result);
   }
 }
 
-// Tries one keyframe after the other, from where the features say or from the keyframe's own place;
-// the first that leaves no doubt is it.
+// Tries one keyframe after the other, from where the features say or from where it may be; the
+// first that leaves no doubt is it.
 void KeyframeTracker::Relocalize(const Frame& frame, const Image<float>& intensity,
-                                 const CurrentPyramid& current, TrackedFrame* result) {
+                                 const CurrentPyramid& current, const SE3d& expected,
+                                 TrackedFrame* result) {
   const TrackedFrame before = *result;
-  for (const int id : Candidates(before.keyframe_id, intensity)) {
-    const Keyframe& keyframe = keyframes_[id];
-    result->keyframe_id = id;
-    Initialize(keyframe, SE3d{}, frame, intensity, result);
-    const SE3d start = result->initial.current_from_keyframe.value_or(SE3d{});
+  for (const Candidate& candidate : Candidates(before.keyframe_id, intensity, expected)) {
+    const Keyframe& keyframe = keyframes_[candidate.id];
+    result->keyframe_id = candidate.id;
+    Initialize(keyframe, candidate.current_from_keyframe, frame, intensity, result);
+    const SE3d start =
+        result->initial.current_from_keyframe.value_or(candidate.current_from_keyframe);
     const SE3d world_from_start = keyframe.world_from_camera * start.Inverse();
-    Refine(WithNeighbours(id, world_from_start), current, start, result);
+    Refine(WithNeighbours(candidate.id, world_from_start), current, start, result);
     if (result->status != TrackingStatus::kTracked) continue;
     Accept(result);
     velocity_.reset();
@@ -112,24 +117,49 @@ void KeyframeTracker::Relocalize(const Frame& frame, const Image<float>& intensi
   result->times = times;
 }
 
-// The nearest keyframe, then those that look most like the image.
-std::vector<int> KeyframeTracker::Candidates(int nearest, const Image<float>& intensity) const {
+// The nearest keyframe as seen from where the camera is expected; those that look most like the
+// image, where a motion foretells that they are in view; and those from their own places.
+std::vector<KeyframeTracker::Candidate> KeyframeTracker::Candidates(int nearest,
+                                                                    const Image<float>& intensity,
+                                                                    const SE3d& expected) const {
   if (options_.relocalization_candidates == 0) return {};
   std::vector<const Image<float>*> thumbnails;
   for (const Reference& reference : references_) thumbnails.push_back(&reference.thumbnail);
-  std::vector<int> candidates{nearest};
-  for (const int id :
-       MostAlike(thumbnails, Thumbnail(intensity), options_.relocalization_candidates)) {
-    if (id != nearest) candidates.push_back(id);
+  const std::vector<int> alike =
+      MostAlike(thumbnails, Thumbnail(intensity), options_.relocalization_candidates);
+  const auto seen = [&](int id) {
+    return Candidate{id, expected.Inverse() * keyframes_[id].world_from_camera};
+  };
+  std::vector<Candidate> candidates{seen(nearest)};
+  for (const int id : alike) {
+    const bool in_view = Overlap(keyframes_[id], expected) >= options_.alignment.min_overlap;
+    if (foretold_ && in_view && id != nearest) candidates.push_back(seen(id));
   }
+  for (const int id : alike) candidates.push_back({id, {}});
   return candidates;
 }
 
-// A keyframe, and the nearest others that are aligned with together with it.
+double KeyframeTracker::Overlap(const Keyframe& keyframe, const SE3d& world_from_camera) const {
+  return ViewOverlap(keyframe.frame.depth_m, camera_,
+                     world_from_camera.Inverse() * keyframe.world_from_camera);
+}
+
+// Those that an alignment can do something with; the first where there are none.
+std::vector<int> KeyframeTracker::Seen(std::vector<int> ids, const SE3d& world_from_camera) const {
+  const int first = ids.front();
+  if (ids.size() == 1) return ids;
+  std::erase_if(ids, [&](int id) {
+    return Overlap(keyframes_[id], world_from_camera) < options_.alignment.min_overlap;
+  });
+  return ids.empty() ? std::vector<int>{first} : ids;
+}
+
+// A keyframe, and the nearest others in view that are aligned with together with it.
 std::vector<int> KeyframeTracker::WithNeighbours(int id, const SE3d& world_from_camera) const {
   std::vector<int> all{id};
-  for (const int near : NearestKeyframes(keyframes_, world_from_camera, options_.keyframes,
-                                         options_.keyframes.joint)) {
+  for (const int near : Seen(NearestKeyframes(keyframes_, world_from_camera, options_.keyframes,
+                                              options_.keyframes.joint),
+                             world_from_camera)) {
     if (near != id && int(all.size()) < options_.keyframes.joint) all.push_back(near);
   }
   return all;
@@ -211,7 +241,18 @@ bool KeyframeTracker::NeedsNewKeyframe(const TrackedFrame& result) const {
   const bool trusted =
       result.status == TrackingStatus::kTracked ||
       (result.status == TrackingStatus::kDoubtful && !options_.keyframes.trusted_only);
-  return trusted && NeedsKeyframe(keyframes_, world_from_camera_, options_.keyframes);
+  return trusted && (NeedsKeyframe(keyframes_, world_from_camera_, options_.keyframes) ||
+                     ShowsWhatNoneKnows());
+}
+
+// Of all the keyframes that the next frame could be aligned with, the camera sees too little.
+bool KeyframeTracker::ShowsWhatNoneKnows() const {
+  if (options_.keyframes.min_overlap == 0) return false;
+  const std::vector<int> nearest = NearestKeyframes(keyframes_, world_from_camera_,
+                                                    options_.keyframes, options_.keyframes.joint);
+  return std::none_of(nearest.begin(), nearest.end(), [&](int id) {
+    return Overlap(keyframes_[id], world_from_camera_) >= options_.keyframes.min_overlap;
+  });
 }
 
 void KeyframeTracker::MakeKeyframe(const Frame& frame, TrackedFrame* result) {

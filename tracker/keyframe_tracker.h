@@ -72,6 +72,12 @@ class KeyframeTracker {
     Image<float> thumbnail;
   };
 
+  // A keyframe that a lost camera may be looking at, and where from.
+  struct Candidate {
+    int id = 0;
+    SE3d current_from_keyframe;
+  };
+
   void CheckFrame(const Frame& frame) const;
   void MakeGray(const Frame& frame, TrackedFrame* result);
   void Localize(const Frame& frame, const Image<float>& intensity, const SE3d& expected,
@@ -84,11 +90,15 @@ class KeyframeTracker {
   void Refine(const std::vector<int>& nearest, const CurrentPyramid& current, const SE3d& initial,
               TrackedFrame* result);
   void Relocalize(const Frame& frame, const Image<float>& intensity, const CurrentPyramid& current,
-                  TrackedFrame* result);
-  std::vector<int> Candidates(int nearest, const Image<float>& intensity) const;
+                  const SE3d& expected, TrackedFrame* result);
+  std::vector<Candidate> Candidates(int nearest, const Image<float>& intensity,
+                                    const SE3d& expected) const;
+  double Overlap(const Keyframe& keyframe, const SE3d& world_from_camera) const;
+  std::vector<int> Seen(std::vector<int> ids, const SE3d& world_from_camera) const;
   std::vector<int> WithNeighbours(int id, const SE3d& world_from_camera) const;
   void Accept(TrackedFrame* result);
   bool NeedsNewKeyframe(const TrackedFrame& result) const;
+  bool ShowsWhatNoneKnows() const;
   void MakeKeyframe(const Frame& frame, TrackedFrame* result);
 
   PinholeCamera camera_;
@@ -101,6 +111,7 @@ class KeyframeTracker {
   SE3d world_from_camera_;             // of the last tracked frame
   double time_s_ = 0;                  // of that frame
   std::optional<Twistd> velocity_;     // per second, in its camera's frame; nothing when unknown
+  bool foretold_ = false;              // where this frame is, by a motion or by the caller
   int frame_index_ = 0;
 };
 

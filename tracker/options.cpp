@@ -47,6 +47,7 @@ void KeyframeOptions::Validate() const {
   CheckRange("keyframes.min_measured_depth", min_measured_depth, 0, 1);
   CheckRange("keyframes.metres_per_radian", metres_per_radian, 0, 1e3);
   CheckRange("keyframes.joint", joint, 1, 100);
+  CheckRange("keyframes.min_overlap", min_overlap, 0, 1);
 }
 
 void TrustOptions::Validate() const {
@@ -90,6 +91,7 @@ TrackerOptions AccuratePreset() {
   options.keyframes.metres_per_radian = 0.3;
   options.keyframes.joint = 3;
   options.keyframes.trusted_only = true;
+  options.keyframes.min_overlap = 0.6;
   options.alignment.min_overlap = 0.25;
   options.trust.max_unexplained_variance = 0.25;
   options.trust.min_inlier_ratio = 0.5;

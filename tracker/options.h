@@ -54,10 +54,14 @@ struct KeyframeOptions {
   double max_rotation_deg = 30;     // |rx| + |ry| + |rz| since the last created keyframe
   double min_measured_depth = 0.1;  // of the pixels; a frame with less cannot be a keyframe
   // Not the paper's: a turn counts as so much of a displacement where distances are compared, and a
-  // frame is aligned with so many of the nearest keyframes at once.
+  // frame is aligned with so many of the nearest keyframes at once, but for those of which it
+  // shows less than alignment.min_overlap.
   double metres_per_radian = 0;
   int joint = 1;
   bool trusted_only = false;  // no keyframe is made of a doubtful frame
+  // A new one also where the camera sees less than this of each of those nearest keyframes, as a
+  // turn on the spot leads to. 0: never for that.
+  double min_overlap = 0;
 
   void Validate() const;
 };

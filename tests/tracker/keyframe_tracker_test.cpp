@@ -304,6 +304,61 @@ TEST_P(OwnPreset, FindsItsWayBackToAnyKeyframe) {
   EXPECT_EQ(next.status, TrackingStatus::kTracked) << next.message;
 }
 
+// Knows nothing, and remembers what it was told of each keyframe.
+struct AskedInitializer : Initializer {
+  struct Asked {
+    int keyframe_id;
+    SE3d expected;
+  };
+  explicit AskedInitializer(std::vector<Asked>* all) : asked(all) {}
+  InitialEstimate Estimate(const InitializerInput& input) override {
+    asked->push_back({input.keyframe.id, input.expected});
+    return {};
+  }
+  std::vector<Asked>* asked;
+};
+
+// Those that are expected in view are looked for there first, the nearest before all others; then
+// all from their own places. Without a motion nothing but the nearest is expected anywhere.
+TEST_P(OwnPreset, LooksForKeyframesWhereTheyAreExpected) {
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  std::vector<AskedInitializer::Asked> asked;
+  KeyframeTracker tracker = MakeTracker(std::make_unique<AskedInitializer>(&asked), options);
+  for (int i = 0; i < 30; ++i) tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
+  ASSERT_TRUE(asked.empty());
+  const SE3d expected = TruePose(28) * SE3d::Exp({{0, 0.2, 0}, {}});
+  const auto count = [&](bool in_place) {
+    return std::count_if(asked.begin(), asked.end(), [&](const auto& one) {
+      const SE3d& keyframe = tracker.keyframes()[one.keyframe_id].world_from_camera;
+      const SE3d wanted = in_place ? SE3d{} : expected.Inverse() * keyframe;
+      return Distance(one.expected, wanted) + Angle(one.expected, wanted) < 1e-9;
+    });
+  };
+  EXPECT_EQ(tracker.Track(BlackFrame(), expected).status, TrackingStatus::kLost);
+  EXPECT_EQ(count(true), options.relocalization_candidates);
+  EXPECT_GT(count(false), 1);
+  EXPECT_EQ(count(true) + count(false), int(asked.size()));
+  EXPECT_GT(Distance(asked.front().expected, {}), 0);
+  asked.clear();
+  EXPECT_EQ(tracker.Track(BlackFrame()).status, TrackingStatus::kLost);
+  EXPECT_EQ(count(true), options.relocalization_candidates);
+  EXPECT_EQ(asked.size(), 1u + options.relocalization_candidates);
+}
+
+// About itself, where the nearest keyframes in metres show other walls.
+TEST_P(OwnPreset, TurnsOnTheSpotWithoutBeingLost) {
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  KeyframeTracker tracker = MakeTracker(nullptr, options);
+  for (int i = 0; i < 26; ++i) {
+    const SE3d pose = kStart * SE3d::Exp({{0, 0.08 * i, 0}, {}});
+    const TrackedFrame tracked = tracker.Track(RoomFrame(pose, 0.1 * i));
+    ASSERT_EQ(tracked.status, TrackingStatus::kTracked) << i << ": " << tracked.message;
+    EXPECT_LT(Angle(tracked.world_from_camera, pose), 4e-3) << i;
+  }
+}
+
 TEST_P(OwnPreset, WithoutCandidatesItStaysLost) {
   TrackerOptions options = GetParam();
   options.alignment.max_iterations.pop_back();

@@ -85,6 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "alignment.robust_scale is nan"},
         BadOption{"depth_residual", [](TrackerOptions* o) { o->alignment.depth_residual = true; },
                   "alignment.depth_residual needs use_current_depth"},
+        BadOption{"keyframe_overlap", [](TrackerOptions* o) { o->keyframes.min_overlap = 1.5; },
+                  "keyframes.min_overlap is 1.5; give a number from 0 to 1"},
         BadOption{"joint", [](TrackerOptions* o) { o->keyframes.joint = 0; },
                   "keyframes.joint is 0; give a number from 1 to 100"},
         BadOption{"variance", [](TrackerOptions* o) { o->trust.max_unexplained_variance = -1; },
