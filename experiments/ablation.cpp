@@ -80,12 +80,12 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
     all.push_back({"joint=1", "one keyframe at a time"});
     all.push_back({"joint=2", "two keyframes at once"});
     all.push_back({"joint=5", "five keyframes at once"});
-    all.push_back({"max_iterations=2-5-10-20", "the iterations of `fast`"});
+    all.push_back({"max_iterations=0-5-10-20", "the iterations of `fast`"});
   } else if (preset == "fast") {
     all = of_both;
     all.push_back({"joint=2", "two keyframes at once"});
     all.push_back({"max_iterations=6-6-10-10", "the iterations of `accurate`"});
-    all.push_back({"max_iterations=0-5-10-20", "not at full resolution"});
+    all.push_back({"max_iterations=2-5-10-20", "at full resolution too"});
   } else if (preset == "paper") {
     all = {{"exclude_hidden=0", "hidden pixels stay"},
            {"always_initialize=0", "starts from an even motion"},

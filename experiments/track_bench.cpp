@@ -137,6 +137,7 @@ double LeastMilliseconds(int calls, const std::function<void()>& call) {
 FusedPass MeasureFusedPass(const Backend& backend, const FramePair& pair, int calls) {
   tracker::PyramidOptions pyramid = PresetOptions("fast").alignment.Pyramids();
   pyramid.levels = 1;
+  pyramid.finest = 0;
   const auto reference = backend->MakeReference(GrayFromRgb(pair.reference.rgb),
                                                 pair.reference.depth_m, pair.camera, pyramid);
   const auto current =

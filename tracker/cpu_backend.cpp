@@ -24,12 +24,18 @@ class CpuReference : public ReferencePyramid {
   CpuReference(const CpuPreparation& prepare, const Image<float>& finest_intensity,
                const Image<float>& finest_depth_m, PinholeCamera camera,
                const PyramidOptions& options)
-      : intensity(prepare.Intensity(finest_intensity, options.levels)),
+      : finest(options.finest),
+        intensity(prepare.Intensity(finest_intensity, options.levels)),
         depth_m(prepare.Depth(finest_depth_m, options.levels)) {
-    intensity[0] = prepare.Own(finest_intensity);
+    if (options.finest == 0) intensity[0] = prepare.Own(finest_intensity);
     CpuPreparation::Wanted wanted;
     wanted.depth = true;
-    for (std::size_t level = 0; level < depth_m.size(); ++level) {
+    for (int level = 0; level < options.finest; ++level) {
+      intensity[level] = depth_m[level] = nullptr;
+      levels_.push_back({camera, 0});
+      camera = camera.Halved();
+    }
+    for (std::size_t level = options.finest; level < depth_m.size(); ++level) {
       auto kept = prepare.AwayFromEdges(*depth_m[level], nullptr, MarginAt(level, options), wanted);
       depth_m[level] = std::move(kept.depth_m);
       levels_.push_back({camera, kept.measured});
@@ -39,10 +45,11 @@ class CpuReference : public ReferencePyramid {
 
   // `other` with depths of its own.
   CpuReference(const CpuReference& other, CpuPyramid depths_m)
-      : intensity(other.intensity), depth_m(std::move(depths_m)) {
+      : finest(other.finest), intensity(other.intensity), depth_m(std::move(depths_m)) {
     levels_ = other.levels_;
   }
 
+  const int finest;  // of the levels that are kept; those above it are null
   CpuPyramid intensity;
   CpuPyramid depth_m;
 };
@@ -57,14 +64,20 @@ class CpuCurrent : public CurrentPyramid {
     CpuPreparation::Wanted wanted;
     wanted.inverse_depth = options.inverse_depth;
     wanted.intensity = options.depth_edge_margin_px > 0;
-    if (!has_depth_ || !wanted.intensity) intensity[0] = prepare.Own(finest_intensity);
+    const bool keeps_finest = options.finest == 0;
+    if (keeps_finest && !(has_depth_ && wanted.intensity)) {
+      intensity[0] = prepare.Own(finest_intensity);
+    }
+    for (int level = 0; level < options.finest; ++level) intensity[level] = nullptr;
     if (!has_depth_) return;
     depth_m = prepare.Depth(finest_depth_m, options.levels);
-    depth_m[0] = prepare.Own(finest_depth_m);
-    for (std::size_t level = 0; level < depth_m.size(); ++level) {
+    if (keeps_finest) depth_m[0] = prepare.Own(finest_depth_m);
+    for (int level = 0; level < options.finest; ++level) depth_m[level] = nullptr;
+    inverse_depth.resize(wanted.inverse_depth ? depth_m.size() : 0);
+    for (std::size_t level = options.finest; level < depth_m.size(); ++level) {
       auto kept = prepare.AwayFromEdges(*depth_m[level], intensity[level].get(),
                                         MarginAt(level, options), wanted);
-      if (wanted.inverse_depth) inverse_depth.push_back(std::move(kept.inverse_depth));
+      if (wanted.inverse_depth) inverse_depth[level] = std::move(kept.inverse_depth);
       if (wanted.intensity) intensity[level] = std::move(kept.intensity);
     }
   }
@@ -101,10 +114,12 @@ class CpuBackend : public Backend {
       const ImagePair& pair, int level, const SE3d& current_from_reference) const override {
     const auto& full = dynamic_cast<const CpuReference&>(pair.reference);
     if (!pair.current.has_depth()) {
+      const int finest = full.finest;
       const Image<float> visible =
-          VisibleDepth(*full.depth_m[0], full.levels()[0].camera, current_from_reference);
-      CpuPyramid depths = preparation_.Depth(visible, level + 1);
+          VisibleDepth(*full.depth_m[finest], full.levels()[finest].camera, current_from_reference);
+      CpuPyramid depths = preparation_.Depth(visible, level + 1 - finest);
       depths[0] = preparation_.Own(visible);
+      depths.insert(depths.begin(), std::size_t(finest), nullptr);
       return std::make_unique<CpuReference>(full, std::move(depths));
     }
     CpuPyramid depths = full.depth_m;
@@ -131,6 +146,7 @@ class CpuBackend : public Backend {
     const auto& current = dynamic_cast<const CpuCurrent&>(pair.current);
     SILT_CHECK(level >= 0 && level < int(reference.depth_m.size()));
     SILT_CHECK(level < int(current.intensity.size()));
+    SILT_CHECK(reference.depth_m[level] && current.intensity[level]);
     const PinholeCamera& camera = reference.levels()[level].camera;
     SILT_CHECK(current.intensity[level]->width() == camera.width &&
                current.intensity[level]->height() == camera.height);

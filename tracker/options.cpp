@@ -24,6 +24,12 @@ void CheckRange(const char* option, double value, double low, double high) {
 
 }  // namespace
 
+PyramidOptions AlignmentOptions::Pyramids() const {
+  PyramidOptions options{levels(), depth_edge_margin_px, depth_residual, 0};
+  while (options.finest + 1 < levels() && max_iterations[options.finest] == 0) ++options.finest;
+  return options;
+}
+
 void AlignmentOptions::Validate() const {
   CheckRange("alignment.max_iterations (number of pyramid levels)", levels(), 1, 12);
   for (int iterations : max_iterations) {
@@ -105,7 +111,7 @@ TrackerOptions AccuratePreset() {
 
 TrackerOptions FastPreset() {
   TrackerOptions options = AccuratePreset();
-  options.alignment.max_iterations = {2, 5, 10, 20};
+  options.alignment.max_iterations = {0, 5, 10, 20};
   options.alignment.min_update_norm = 2e-5;
   options.keyframes.joint = 1;
   return options;

@@ -12,6 +12,8 @@ struct PyramidOptions {
   int levels = 4;
   int depth_edge_margin_px = 0;  // pixels nearer to a depth edge at the finest level are left out
   bool inverse_depth = false;    // is compared too
+  int finest = 0;  // levels above this one, counted from 0, serve only to be halved: a backend may
+                   // keep nothing of them
 };
 
 // Algorithm 1. Every Validate() throws silt::Error naming the option, its value and its range.
@@ -44,7 +46,7 @@ struct AlignmentOptions {
 
   int levels() const { return int(max_iterations.size()); }
   bool robust() const { return robust_scale > 0; }
-  PyramidOptions Pyramids() const { return {levels(), depth_edge_margin_px, depth_residual}; }
+  PyramidOptions Pyramids() const;
   void Validate() const;
 };
 

@@ -276,5 +276,39 @@ TEST(CpuBackend, TinyLevelsHaveNoPixels) {
   }
 }
 
+// Levels that nothing is aligned at are only halved: the others stay as they are.
+TEST(CpuBackend, CoarserLevelsAreTheSameWithoutTheFinest) {
+  const View reference = RenderRoomWithBoard({}), current = RenderRoomWithBoard(kMotion.Inverse());
+  const auto backend = MakeCpuBackend();
+  ResidualNorm norm;
+  norm.intensity = {0.03, 0.05, 1};
+  norm.inverse_depth = {0, 0.01, 25};
+  norm.use_depth = true;
+  std::vector<NormalEquations> all;
+  for (const int finest : {0, 1, 2}) {
+    const PyramidOptions options{4, 2, true, finest};
+    const auto a =
+        backend->MakeReference(reference.intensity, reference.depth_m, kSmallCamera, options);
+    const auto b = backend->MakeCurrent(current.intensity, current.depth_m, options);
+    const auto visible = backend->WithoutHidden({*a, *b}, 2, {});
+    all.push_back(backend->Linearize({*visible, *b}, 2, {}, norm));
+    EXPECT_EQ(a->levels()[0].measured_pixels > 0, finest == 0);
+    EXPECT_EQ(a->levels()[2].camera.width, kSmallCamera.width / 4);
+  }
+  EXPECT_GT(all[0].inverse_depth.count, 100);
+  EXPECT_EQ(all[1], all[0]);
+  EXPECT_EQ(all[2], all[0]);
+}
+
+TEST(AlignmentOptions, PyramidsBeginWhereSomethingIsAligned) {
+  AlignmentOptions options;
+  options.max_iterations = {0, 0, 3, 0};
+  EXPECT_EQ(options.Pyramids().finest, 2);
+  options.max_iterations = {1, 0, 3, 0};
+  EXPECT_EQ(options.Pyramids().finest, 0);
+  options.max_iterations = {0, 0};
+  EXPECT_EQ(options.Pyramids().finest, 1);
+}
+
 }  // namespace
 }  // namespace silt::tracker
