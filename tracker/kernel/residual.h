@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "silt/core/vector.h"
 #include "silt/tracker/kernel/bilinear.h"
@@ -11,6 +12,25 @@
 
 namespace silt::tracker::kernel {
 
+// The first of the four pixels around W, and W's distance to it.
+template <typename T>
+struct ImagePoint {
+  T x, y;  // 0 where W is not in view
+  T a, b;  // in [0, 1); a is NaN where W is not in view, which makes the sample invalid
+};
+
+template <typename T>
+SILT_HOST_DEVICE inline ImagePoint<T> Locate(const WarpedPixel<T>& warped, int width, int height) {
+  using std::floor;
+  const Mask<T> in_view = warped.front && warped.u >= T(0) && warped.v >= T(0) &&
+                          warped.u < T(width - 1) && warped.v < T(height - 1);
+  const T u = Select(in_view, warped.u, T(0));
+  const T v = Select(in_view, warped.v, T(0));
+  const T x = floor(u);
+  const T y = floor(v);
+  return {x, y, Select(in_view, u - x, T(std::numeric_limits<float>::quiet_NaN())), v - y};
+}
+
 // The current image at a warped pixel.
 template <typename T>
 struct WarpedSample {
@@ -18,18 +38,17 @@ struct WarpedSample {
   Mask<T> valid;     // in front, and all four pixels around W inside the image and not NaN
 };
 
+template <typename T>
+SILT_HOST_DEVICE inline WarpedSample<T> SampleAt(const ImagePoint<T>& point, const Taps<T>& taps) {
+  const Sample<T> sample = Bilinear(taps, point.a, point.b);
+  return {sample, sample.value == sample.value};
+}
+
 template <typename T, typename Sampler>
 SILT_HOST_DEVICE inline WarpedSample<T> SampleCurrent(const WarpedPixel<T>& warped,
                                                       const Sampler& sampler) {
-  using std::floor;
-  const Mask<T> valid = warped.front && warped.u >= T(0) && warped.v >= T(0) &&
-                        warped.u < T(sampler.width - 1) && warped.v < T(sampler.height - 1);
-  const T u = Select(valid, warped.u, T(0));
-  const T v = Select(valid, warped.v, T(0));
-  const T x = floor(u);
-  const T y = floor(v);
-  const Sample<T> sample = Bilinear(sampler(x, y), u - x, v - y);
-  return {sample, valid && sample.value == sample.value};
+  const ImagePoint<T> point = Locate(warped, sampler.width, sampler.height);
+  return SampleAt(point, sampler(point.x, point.y));
 }
 
 // r = I_c(W) − I_r (eq. 12) and its derivative by ξ = (ω, v) of exp(ξ)·T_cr at ξ = 0; zeros where
@@ -75,24 +94,36 @@ SILT_HOST_DEVICE inline LinearizedResidual<T> LinearizeAlongWarp(const Warp<T>& 
 }
 
 // Of the intensity: eq. 12.
+template <typename T>
+SILT_HOST_DEVICE inline LinearizedResidual<T> LinearizeIntensity(const Warp<T>& warp,
+                                                                 const WarpedPixel<T>& warped,
+                                                                 const WarpedSample<T>& current,
+                                                                 const T& intensity) {
+  return LinearizeAlongWarp(warp, warped, current, current.sample.value - intensity, T(0));
+}
+
 template <typename T, typename Sampler>
 SILT_HOST_DEVICE inline LinearizedResidual<T> LinearizeIntensity(const Warp<T>& warp,
                                                                  const WarpedPixel<T>& warped,
                                                                  const Sampler& sampler,
                                                                  const T& intensity) {
-  const WarpedSample<T> current = SampleCurrent(warped, sampler);
-  return LinearizeAlongWarp(warp, warped, current, current.sample.value - intensity, T(0));
+  return LinearizeIntensity(warp, warped, SampleCurrent(warped, sampler), intensity);
 }
 
 // Of the inverse depth: r = 1/Z_c(W) − 1/Z, sampled from an image of 1/Z_c, over which bilinear
 // interpolation is exact for planes.
+template <typename T>
+SILT_HOST_DEVICE inline LinearizedResidual<T> LinearizeInverseDepth(
+    const Warp<T>& warp, const WarpedPixel<T>& warped, const WarpedSample<T>& current) {
+  return LinearizeAlongWarp(warp, warped, current, current.sample.value - warped.inverse_z,
+                            warped.inverse_z * warped.inverse_z);
+}
+
 template <typename T, typename Sampler>
 SILT_HOST_DEVICE inline LinearizedResidual<T> LinearizeInverseDepth(const Warp<T>& warp,
                                                                     const WarpedPixel<T>& warped,
                                                                     const Sampler& sampler) {
-  const WarpedSample<T> current = SampleCurrent(warped, sampler);
-  return LinearizeAlongWarp(warp, warped, current, current.sample.value - warped.inverse_z,
-                            warped.inverse_z * warped.inverse_z);
+  return LinearizeInverseDepth(warp, warped, SampleCurrent(warped, sampler));
 }
 
 template <typename T, typename Sampler>

@@ -32,9 +32,17 @@ struct BatchSampler {
   int width, height;
 
   kernel::Taps<Batch> operator()(const Batch& x, const Batch& y) const {
-    const Indices index = xsimd::to_int(y) * Indices(width) + xsimd::to_int(x);
     alignas(64) std::int32_t at[Batch::size];
-    index.store_aligned(at);
+    IndexOf(x, y).store_aligned(at);
+    return TapsAt(at);
+  }
+
+  Indices IndexOf(const Batch& x, const Batch& y) const {
+    return xsimd::to_int(y) * Indices(width) + xsimd::to_int(x);
+  }
+
+  // Of a batch of indices.
+  kernel::Taps<Batch> TapsAt(const std::int32_t* at) const {
     const Pairs upper = Load(pixels, at), lower = Load(pixels + width, at);
     return {upper.left, upper.right, lower.left, lower.right};
   }

@@ -14,8 +14,10 @@
 namespace silt::tracker::simd {
 
 // The sums of rows for one instruction set. Everything here has Arch in its name, for the reason
-// told in level_view.h. A row is worked off in chunks that stay in the first-level cache: first the
-// residuals and Jacobians of all pixels, then their products, with the sums in registers.
+// told in level_view.h. A row is worked off in chunks that stay in the first-level cache, in
+// several passes: where pixels land; the images there; residuals and Jacobians; at last their
+// products, with the sums in registers. One pass would be a chain of so many operations that
+// processors find no others to do while they wait for each.
 template <typename Arch>
 class RowKernel {
  public:
@@ -61,6 +63,16 @@ class RowKernel {
   // AVX-512 keeps all 27 sums in its 32 registers; others have 16 and go over a chunk twice.
   static constexpr int kProductsAtOnce = kBatch == 16 ? kProducts : 14;
 
+  // Where the pixels of a chunk land.
+  struct Landings {
+    alignas(64) float x[kChunk], y[kChunk], z[kChunk], inverse_z[kChunk];  // of the point
+    alignas(64) float a[kChunk], b[kChunk];                                // kernel::ImagePoint's
+    alignas(64) std::int32_t index[kChunk];                                // of its x and y
+  };
+  // An image there.
+  struct Samples {
+    alignas(64) float value[kChunk], du[kChunk], dv[kChunk];
+  };
   // The columns of J, and r: 0 where there is no residual.
   struct Chunk {
     alignas(64) float column[7][kChunk];
@@ -132,37 +144,96 @@ class RowKernel {
   template <Residuals kKind>
   void AddChunk(int begin, int y, RowSums* row) const {
     const int end = begin + kChunk < padded_width_ ? begin + kChunk : padded_width_;
-    Chunk intensity, inverse_depth;
-    for (int x = begin; x < end; x += kBatch) {
-      LinearizePixels<kKind>(x, y, &intensity, &inverse_depth, row);
-    }
-    AddAllProducts(intensity, end - begin, row);
+    Landings landings;
+    Samples samples;
+    Chunk chunk;
+    WarpPixels(begin, end, y, &landings);
+    SamplePixels(intensity_, landings, end - begin, &samples);
+    LinearizeIntensities<kKind>({begin, end, y}, landings, samples, &chunk, row);
+    AddAllProducts(chunk, end - begin, row);
     if constexpr (kKind == Residuals::kRobustWithDepth) {
-      AddAllProducts(inverse_depth, end - begin, row);
+      SamplePixels(inverse_depth_, landings, end - begin, &samples);
+      LinearizeDepths(end - begin, landings, samples, &chunk, row);
+      AddAllProducts(chunk, end - begin, row);
     }
   }
 
-  // A batch of pixels; the columns of a robust norm are √w·J and √w·r.
-  template <Residuals kKind>
-  [[gnu::flatten]] void LinearizePixels(int x, int y, Chunk* intensity, Chunk* inverse_depth,
-                                        RowSums* row) const {
-    const int lane = x % kLanes, at = x % kChunk;
-    const kernel::ReferencePixel<Batch> pixel = Pixels(x, y);
-    const kernel::WarpedPixel<Batch> warped = kernel::WarpPixel(warp_, pixel);
-    kernel::LinearizedResidual<Batch> r =
-        kernel::LinearizeIntensity(warp_, warped, intensity_, pixel.intensity);
-    Add(r.residual * r.residual, row->value[kSquaresSum] + lane);
-    Add(Ones(r.valid), row->value[kCountSum] + lane);
-    if constexpr (kKind != Residuals::kSquares) {
-      Add(kernel::Weigh(intensity_norm_, &r), row->value[kRobustSum] + lane);
+  [[gnu::flatten, gnu::noinline]] void WarpPixels(int begin, int end, int y, Landings* to) const {
+    for (int x = begin, at = 0; x < end; x += kBatch, at += kBatch) {
+      const kernel::WarpedPixel<Batch> warped = kernel::WarpPixel(warp_, Pixels(x, y));
+      const kernel::ImagePoint<Batch> point = kernel::Locate(warped, view_.width, view_.height);
+      warped.point.x.store_aligned(to->x + at);
+      warped.point.y.store_aligned(to->y + at);
+      warped.point.z.store_aligned(to->z + at);
+      warped.inverse_z.store_aligned(to->inverse_z + at);
+      point.a.store_aligned(to->a + at);
+      point.b.store_aligned(to->b + at);
+      intensity_.IndexOf(point.x, point.y).store_aligned(to->index + at);
     }
-    Store(r, at, intensity);
-    if constexpr (kKind == Residuals::kRobustWithDepth) {
+  }
+
+  [[gnu::flatten, gnu::noinline]] static void SamplePixels(const BatchSampler<Arch>& sampler,
+                                                           const Landings& landings, int pixels,
+                                                           Samples* to) {
+    for (int at = 0; at < pixels; at += kBatch) {
+      const kernel::Sample<Batch> sample = kernel::Bilinear(sampler.TapsAt(landings.index + at),
+                                                            Batch::load_aligned(landings.a + at),
+                                                            Batch::load_aligned(landings.b + at));
+      sample.value.store_aligned(to->value + at);
+      sample.du.store_aligned(to->du + at);
+      sample.dv.store_aligned(to->dv + at);
+    }
+  }
+
+  // What the first passes left of a batch of pixels.
+  static kernel::WarpedPixel<Batch> WarpedAt(const Landings& landings, int at) {
+    const auto load = [&](const float* values) { return Batch::load_aligned(values + at); };
+    return {{load(landings.x), load(landings.y), load(landings.z)},
+            load(landings.inverse_z),
+            {},
+            {},
+            {}};
+  }
+  static kernel::WarpedSample<Batch> SampleAt(const Samples& samples, int at) {
+    const Batch value = Batch::load_aligned(samples.value + at);
+    return {{value, Batch::load_aligned(samples.du + at), Batch::load_aligned(samples.dv + at)},
+            value == value};
+  }
+
+  struct Span {
+    int begin, end, y;
+  };
+
+  // The columns of a robust norm are √w·J and √w·r.
+  template <Residuals kKind>
+  [[gnu::flatten, gnu::noinline]] void LinearizeIntensities(const Span& pixels,
+                                                            const Landings& landings,
+                                                            const Samples& samples, Chunk* to,
+                                                            RowSums* row) const {
+    const float* intensity = view_.reference_intensity + pixels.y * view_.width;
+    for (int x = pixels.begin, at = 0; x < pixels.end; x += kBatch, at += kBatch) {
+      kernel::LinearizedResidual<Batch> r = kernel::LinearizeIntensity(
+          warp_, WarpedAt(landings, at), SampleAt(samples, at), Load(intensity, x, view_.width));
+      const int lane = at % kLanes;
+      Add(r.residual * r.residual, row->value[kSquaresSum] + lane);
+      Add(Ones(r.valid), row->value[kCountSum] + lane);
+      if constexpr (kKind != Residuals::kSquares) {
+        Add(kernel::Weigh(intensity_norm_, &r), row->value[kRobustSum] + lane);
+      }
+      Store(r, at, to);
+    }
+  }
+
+  [[gnu::flatten, gnu::noinline]] void LinearizeDepths(int pixels, const Landings& landings,
+                                                       const Samples& samples, Chunk* to,
+                                                       RowSums* row) const {
+    for (int at = 0; at < pixels; at += kBatch) {
       kernel::LinearizedResidual<Batch> d =
-          kernel::LinearizeInverseDepth(warp_, warped, inverse_depth_);
+          kernel::LinearizeInverseDepth(warp_, WarpedAt(landings, at), SampleAt(samples, at));
+      const int lane = at % kLanes;
       Add(Ones(d.valid), row->value[kDepthCountSum] + lane);
       Add(kernel::Weigh(inverse_depth_norm_, &d), row->value[kDepthRobustSum] + lane);
-      Store(d, at, inverse_depth);
+      Store(d, at, to);
     }
   }
 
