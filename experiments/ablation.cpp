@@ -72,6 +72,9 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
       {"always_initialize=1", "each frame starts from sparse features"},
       {"initial_damping=0", "Gauss-Newton"},
       {"initial_damping=0.1", "more damping"},
+      {"scaled_damping=0", "damping as the paper adds it"},
+      {"take_last_step=0", "steps below the least are not taken"},
+      {"coarser_update_norm=1", "coarse levels stop as late as fine ones"},
       {"min_update_norm=1e-6", "stops as late as the paper"},
   };
   std::vector<Alternative> all;
@@ -81,11 +84,13 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
     all.push_back({"joint=2", "two keyframes at once"});
     all.push_back({"joint=5", "five keyframes at once"});
     all.push_back({"max_iterations=0-5-10-20", "the iterations of `fast`"});
+    all.push_back({"scale_rounds=1", "scales estimated once a level"});
   } else if (preset == "fast") {
     all = of_both;
     all.push_back({"joint=2", "two keyframes at once"});
     all.push_back({"max_iterations=6-6-10-10", "the iterations of `accurate`"});
     all.push_back({"max_iterations=2-5-10-20", "at full resolution too"});
+    all.push_back({"scale_rounds=4", "scales estimated until they stay"});
   } else if (preset == "paper") {
     all = {{"exclude_hidden=0", "hidden pixels stay"},
            {"always_initialize=0", "starts from an even motion"},

@@ -47,7 +47,9 @@ double PixelIterations(const tracker::AlignmentResult& alignment) {
 PairRun RunPreset(const std::string& preset, const Backend& backend, const FramePair& pair) {
   const tracker::TrackerOptions options = PresetOptions(preset);
   tracker::KeyframeTracker tracker(pair.camera, options, backend, MakeInitializer({}, options));
-  const tracker::TrackedFrame first = tracker.Track(pair.reference);
+  // A sequence's reader gives its frames away, too.
+  Frame reference = pair.reference;
+  const tracker::TrackedFrame first = tracker.Track(std::move(reference));
   const tracker::TrackedFrame tracked = tracker.Track(pair.current, SE3d{});
   PairRun run;
   run.found = tracked.status != tracker::TrackingStatus::kLost;
@@ -79,9 +81,9 @@ Method MakeMethod(const std::string& name, bool has_stages,
   return method;
 }
 
-std::vector<Method> Methods(const Backend& backend) {
+std::vector<Method> Methods(const std::vector<std::string>& presets, const Backend& backend) {
   std::vector<Method> methods;
-  for (const std::string preset : {"fast", "accurate"}) {
+  for (const std::string& preset : presets) {
     methods.push_back(MakeMethod(
         preset, true, [=](const FramePair& pair) { return RunPreset(preset, backend, pair); }));
   }
@@ -158,14 +160,14 @@ FusedPass MeasureFusedPass(const Backend& backend, const FramePair& pair, int ca
 }  // namespace
 
 Json TrackBenchOptions::ToJson() const {
-  return {{"backend", backend}, {"repeats", repeats}, {"threads", threads}};
+  return {{"backend", backend}, {"presets", presets}, {"repeats", repeats}, {"threads", threads}};
 }
 
 TrackBench MeasureTracking(std::vector<BenchPair> pairs, const TrackBenchOptions& options) {
   SILT_CHECK(!pairs.empty() && options.repeats >= 1 && options.threads >= 1);
   const int threads_before = ThreadCount();
   const Backend backend = MakeBackend(options.backend);
-  std::vector<Method> methods = Methods(backend);
+  std::vector<Method> methods = Methods(options.presets, backend);
   Progress progress(2.0 * options.repeats * double(pairs.size() * methods.size()));
   TrackBench bench;
   bench.threads = options.threads;

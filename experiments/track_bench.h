@@ -16,6 +16,7 @@ struct TrackBenchOptions {
   std::string backend = "cpu";
   int repeats = 5;  // of each pair, of which the fastest counts
   int threads = 2;  // beside one
+  std::vector<std::string> presets = {"fast", "accurate"};
 
   Json ToJson() const;
 };
@@ -55,7 +56,7 @@ struct TrackBench {
   std::string Format() const;
 };
 
-// The presets fast and accurate, and OpenCV's methods if they are there. Each repeat runs every
+// The presets, and OpenCV's methods if they are there. Each repeat runs every
 // method on every pair once, so that all are slowed alike by what else the machine does.
 TrackBench MeasureTracking(std::vector<BenchPair> pairs, const TrackBenchOptions& options);
 

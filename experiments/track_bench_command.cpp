@@ -129,6 +129,10 @@ void AddTrackBench(CLI::App& bench, const Invocation& invocation) {
   integer("--threads", options->bench.threads, 1024, "Threads; one thread is measured beside them");
   command->add_option("--backend", options->bench.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512")
       ->capture_default_str();
+  command
+      ->add_option("--preset", options->bench.presets,
+                   "Presets to compare; name:option=value changes one")
+      ->capture_default_str();
   command->add_option("--json", options->json, "File for the results; -: stdout");
   command->footer(
       "Times are from two colour images with depth in memory to the pose: gray images, pyramids\n"

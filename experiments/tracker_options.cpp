@@ -19,12 +19,16 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("alignment", "initial_damping", a.initial_damping);
   visit("alignment", "damping_factor", a.damping_factor);
   visit("alignment", "min_update_norm", a.min_update_norm);
+  visit("alignment", "coarser_update_norm", a.coarser_update_norm);
+  visit("alignment", "take_last_step", a.take_last_step);
+  visit("alignment", "scaled_damping", a.scaled_damping);
   visit("alignment", "min_overlap", a.min_overlap);
   visit("alignment", "exclude_hidden", a.exclude_hidden);
   visit("alignment", "use_current_depth", a.use_current_depth);
   visit("alignment", "depth_edge_margin_px", a.depth_edge_margin_px);
   visit("alignment", "robust_scale", a.robust_scale);
   visit("alignment", "robust_gradient", a.robust_gradient);
+  visit("alignment", "scale_rounds", a.scale_rounds);
   visit("alignment", "depth_residual", a.depth_residual);
   visit("alignment", "rotation_only", a.rotation_only);
   auto& k = o.keyframes;

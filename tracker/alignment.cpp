@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "silt/tracker/alignment.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -20,15 +22,20 @@ AlignmentPlan PlanOf(const std::vector<ReferenceView>& references, const Current
   SILT_CHECK(options.levels() <= kMaxPyramidLevels);
   AlignmentPlan plan;
   plan.levels = options.levels();
+  const int finest = options.Pyramids().finest;
   for (int i = 0; i < plan.levels; ++i) {
     plan.max_iterations[i] = options.max_iterations[i];
+    plan.min_update_norm[i] =
+        options.min_update_norm * std::pow(options.coarser_update_norm, std::max(0, i - finest));
     for (const ReferenceView& reference : references) {
       plan.measured_pixels[i] += reference.pyramid.levels()[i].measured_pixels;
     }
   }
   plan.initial_damping = options.initial_damping;
   plan.damping_factor = options.damping_factor;
-  plan.min_update_norm = options.min_update_norm;
+  plan.scaled_damping = options.scaled_damping;
+  plan.take_last_step = options.take_last_step;
+  plan.scale_rounds = options.scale_rounds;
   plan.min_overlap = options.min_overlap;
   plan.robust = options.robust();
   plan.use_depth = options.depth_residual && current.has_depth();

@@ -22,7 +22,11 @@ struct AlignmentPlan {
   int levels = 0;
   int max_iterations[kMaxPyramidLevels] = {};            // from the finest level
   std::int64_t measured_pixels[kMaxPyramidLevels] = {};  // of all references
-  double initial_damping = 0, damping_factor = 0, min_update_norm = 0, min_overlap = 0;
+  double min_update_norm[kMaxPyramidLevels] = {};
+  double initial_damping = 0, damping_factor = 0, min_overlap = 0;
+  bool scaled_damping = false;
+  bool take_last_step = false;
+  int scale_rounds = 0;
   bool robust = false, use_depth = false, rotation_only = false;
   bool keep_log = false;  // computes the cost of the last step of a level too, which is not taken
   double robust_scale = 0, robust_gradient = 0;
@@ -58,7 +62,8 @@ class LevenbergMarquardt {
     if (phase_ == Phase::kTrial) return Judge(plan, equations);
     equations_ = equations;
     if (phase_ == Phase::kRelinearize) return Propose(plan);
-    if (plan.robust && rounds_ < kScaleRounds && !SetScales(plan)) {
+    if (plan.robust && rounds_ < (level_count_ ? plan.scale_rounds : kFirstScaleRounds) &&
+        !SetScales(plan)) {
       ++rounds_;
       phase_ = Phase::kScale;
       return;
@@ -82,7 +87,7 @@ class LevenbergMarquardt {
   // Fewer residuals than this say nothing about six parameters; a level that cannot have them is
   // skipped.
   static constexpr int kMinPixels = 30;
-  static constexpr int kScaleRounds = 4;
+  static constexpr int kFirstScaleRounds = 4;
   // Residuals are not taken for smaller than these: rounding to 8 bits leaves the first. Depth that
   // is exact would outweigh all intensities, and with them what they alone can tell of a camera
   // before a plane, while interpolating it over curved surfaces is not exact: 0.1 mm at 1 m, and
@@ -142,25 +147,32 @@ class LevenbergMarquardt {
     using std::sqrt;
     const double norm = sqrt(Dot(update.omega, update.omega) + Dot(update.v, update.v));
     step_ = {level_, summary.iterations, damping_, norm, cost_, {}, false};
-    summary.converged = norm < plan.min_update_norm;
-    // The step is not taken: only the log asks what it would have led to.
-    if (summary.converged && !plan.keep_log) return EndLevel(plan);
+    summary.converged = norm < plan.min_update_norm[level_ - 1];
     trial_ = SE3d::Exp(update) * pose_;
+    // What the last step leads to, only the log asks.
+    if (summary.converged && !plan.keep_log) return TakeLastStep(plan);
     phase_ = Phase::kTrial;
     wanted_ = plan.robust ? Wanted::kEquations : Wanted::kCost;
+  }
+
+  SILT_HOST_DEVICE void TakeLastStep(const AlignmentPlan& plan) {
+    if (plan.take_last_step) pose_ = trial_;
+    EndLevel(plan);
   }
 
   // The other part of an iteration: whether the trial pose is taken.
   SILT_HOST_DEVICE void Judge(const AlignmentPlan& plan, const NormalEquations& trial) {
     const AlignmentLevel& summary = summaries_[level_count_];
     step_.trial_cost = trial.cost;
-    step_.accepted =
-        !summary.converged && EnoughPixels(plan, trial.cost) && trial.cost.mean() < cost_.mean();
+    step_.accepted = summary.converged
+                         ? plan.take_last_step
+                         : EnoughPixels(plan, trial.cost) && trial.cost.mean() < cost_.mean();
     ++steps_;
     last_step_ = step_;
+    if (summary.converged) return TakeLastStep(plan);
     if (!step_.accepted) {
       damping_ *= plan.damping_factor;
-      return summary.converged ? EndLevel(plan) : Propose(plan);
+      return Propose(plan);
     }
     pose_ = trial_;
     cost_ = trial.cost;
@@ -183,7 +195,8 @@ class LevenbergMarquardt {
     }
   }
 
-  // dξ = −(JᵀJ + αI)⁻¹·Jᵀr (eq. 17, damped); false where it has no finite solution.
+  // dξ = −(JᵀJ + αI)⁻¹·Jᵀr (eq. 17, damped), or Marquardt's with α·diag(JᵀJ); false where it has no
+  // finite solution.
   SILT_HOST_DEVICE bool Solve(const AlignmentPlan& plan, Twistd* update) const {
     double matrix[6][6], d[6];
     GetMatrix(matrix);
@@ -191,7 +204,7 @@ class LevenbergMarquardt {
     SILT_UNROLL for (int i = 0; i < 6; ++i) d[i] = equations_.gradient[i];
     if (plan.rotation_only) FixTranslation(matrix, d);
     SILT_UNROLL for (int i = 0; i < 6; ++i) {
-      matrix[i][i] += damping_;
+      matrix[i][i] += plan.scaled_damping ? damping_ * matrix[i][i] : damping_;
       finite = finite && kernel::IsFinite(d[i]);
       SILT_UNROLL for (int j = 0; j < 6; ++j) finite = finite && kernel::IsFinite(matrix[i][j]);
     }

@@ -38,10 +38,12 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.initial_damping", initial_damping, 0, 1e12);
   CheckRange("alignment.damping_factor", damping_factor, 1, 1e6);
   CheckRange("alignment.min_update_norm", min_update_norm, 0, 1);
+  CheckRange("alignment.coarser_update_norm", coarser_update_norm, 1, 100);
   CheckRange("alignment.min_overlap", min_overlap, 0, 1);
   CheckRange("alignment.depth_edge_margin_px", depth_edge_margin_px, 0, 100);
   CheckRange("alignment.robust_scale", robust_scale, 0, 1e6);
   CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
+  CheckRange("alignment.scale_rounds", scale_rounds, 0, 100);
   if (depth_residual && !(use_current_depth && robust_scale > 0)) {
     throw Error("alignment.depth_residual needs use_current_depth, and robust_scale above 0");
   }
@@ -92,6 +94,9 @@ TrackerOptions AccuratePreset() {
   options.alignment.robust_gradient = 8.0 / 255;
   options.alignment.depth_residual = true;
   options.alignment.min_update_norm = 2e-6;
+  options.alignment.coarser_update_norm = 4;
+  options.alignment.take_last_step = true;
+  options.alignment.scaled_damping = true;
   options.keyframes.max_distance_m = 0.2;
   options.keyframes.max_rotation_deg = 540;
   options.keyframes.metres_per_radian = 0.3;
@@ -112,7 +117,8 @@ TrackerOptions AccuratePreset() {
 TrackerOptions FastPreset() {
   TrackerOptions options = AccuratePreset();
   options.alignment.max_iterations = {0, 5, 10, 20};
-  options.alignment.min_update_norm = 2e-5;
+  options.alignment.min_update_norm = 5e-5;
+  options.alignment.scale_rounds = 1;
   options.keyframes.joint = 1;
   return options;
 }

@@ -24,7 +24,12 @@ struct AlignmentOptions {
   double initial_damping = 1e-3;  // α at the start of each level
   double damping_factor = 10;     // α is divided by it after a success, multiplied after a failure
   double min_update_norm = 1e-6;  // ε: a smaller |dξ| (radians and metres) ends the level
-  double min_overlap = 0.1;       // of the measured pixels; a pose that shows fewer has no cost
+  // Not the paper's: ε grows by this factor from each level to the next coarser one; the step that
+  // is smaller is taken too, untested; α is Marquardt's, in units of the diagonal of JᵀJ.
+  double coarser_update_norm = 1;
+  bool take_last_step = false;
+  bool scaled_damping = false;
+  double min_overlap = 0.1;  // of the measured pixels; a pose that shows fewer has no cost
   // Leaves out the pixels whose points the current camera cannot see because others, nearer, lie in
   // front of them, as far as the keyframe's depth tells. The paper does not say over which pixels
   // eq. 8 runs; over a hidden one, I_c(W) shows another surface.
@@ -38,6 +43,7 @@ struct AlignmentOptions {
   // then linearized at once.
   double robust_scale = 0;
   double robust_gradient = 0;
+  int scale_rounds = 4;  // estimates of the scales at most, where a coarser level has left some
   // Residuals of the inverse depth beside those of the intensity, each kind in units of its own
   // scale; needs robust_scale and use_current_depth.
   bool depth_residual = false;

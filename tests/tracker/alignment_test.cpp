@@ -54,12 +54,14 @@ class FakeBackend : public Backend {
   NormalEquations Linearize(const ImagePair&, int level, const SE3d& pose,
                             const ResidualNorm&) const override {
     ++linearizations;
+    if (before) before();
     NormalEquations result = equations;
     result.cost = Cost({FakeReference({}), CurrentPyramid()}, level, pose);
     return result;
   }
 
   NormalEquations equations;
+  std::function<void()> before;  // each linearization
   mutable int linearizations = 0;
 
  private:
@@ -144,6 +146,61 @@ TEST(Alignment, ASmallUpdateEndsTheLevelWithoutBeingTaken) {
   EXPECT_TRUE(result.levels[0].converged);
   EXPECT_FALSE(result.log[0].accepted);
   EXPECT_EQ(result.current_from_reference.translation.x, 0);
+}
+
+TEST(Alignment, ASmallUpdateIsTakenUntestedWhereAsked) {
+  FakeBackend backend(RisingCost);
+  backend.equations.gradient[3] = -1e-7;
+  AlignmentOptions options = Levels({5});
+  options.take_last_step = true;
+  for (const bool keep_log : {false, true}) {
+    options.keep_log = keep_log;
+    const AlignmentResult result = AlignFake(backend, options);
+    EXPECT_DOUBLE_EQ(result.current_from_reference.translation.x, 1e-7 / 1.001);
+    EXPECT_EQ(result.levels[0].iterations, 1);
+    EXPECT_TRUE(result.levels[0].converged);
+    EXPECT_EQ(result.final_cost().sum, 10);
+    EXPECT_THAT(result.log, Each(Field(&AlignmentStep::accepted, true)));
+  }
+}
+
+TEST(Alignment, CoarserLevelsMayStopEarlier) {
+  FakeBackend backend(FallingCost);
+  backend.equations.gradient[3] = -3e-6;
+  AlignmentOptions options = Levels({0, 3, 3, 3});
+  options.coarser_update_norm = 2;
+  std::vector<int> iterations;
+  for (const AlignmentLevel& level : AlignFake(backend, options).levels) {
+    iterations.push_back(level.iterations);
+  }
+  // The least are 4e-6, 2e-6, and at the finest level that is aligned 1e-6.
+  EXPECT_THAT(iterations, ElementsAre(1, 3, 3));
+}
+
+TEST(Alignment, MarquardtsDampingIsInUnitsOfTheDiagonal) {
+  FakeBackend backend(FallingCost);
+  for (double& h : backend.equations.hessian) h *= 50;
+  AlignmentOptions options = Levels({1});
+  EXPECT_DOUBLE_EQ(AlignFake(backend, options).log[0].update_norm, 0.1 / 50.001);
+  options.scaled_damping = true;
+  EXPECT_DOUBLE_EQ(AlignFake(backend, options).log[0].update_norm, 0.1 / 50.05);
+}
+
+// The spread does not depend on the norm, so that the scale never settles.
+TEST(Alignment, ScalesAreEstimatedSoOftenAtMost) {
+  const auto linearizations = [](int scale_rounds) {
+    FakeBackend backend(RisingCost);
+    double squares = 1;
+    AlignmentOptions options = Levels({1, 1, 1});
+    options.robust_scale = 2.5;
+    options.scale_rounds = scale_rounds;
+    backend.before = [&] { backend.equations.intensity = {squares *= 2, 1000}; };
+    EXPECT_TRUE(AlignFake(backend, options).ok);
+    return backend.linearizations;
+  };
+  // Each level takes one more for its trial step; the first one has nothing to begin with.
+  EXPECT_EQ(linearizations(0), 6 + 4);
+  EXPECT_EQ(linearizations(1), 6 + 4 + 1 + 1);
 }
 
 TEST(Alignment, ComparesTheMeanCostNotTheSum) {
