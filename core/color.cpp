@@ -30,6 +30,8 @@ constexpr LumaShares MakeLumaShares() {
 
 constexpr LumaShares kLumaShares = MakeLumaShares();
 
+}  // namespace
+
 // Looking a share up is faster than converting and multiplying; the division runs in SIMD.
 void GrayRow(const Rgb8* rgb, int width, float* gray) {
   for (int x = 0; x < width; ++x) {
@@ -37,8 +39,6 @@ void GrayRow(const Rgb8* rgb, int width, float* gray) {
   }
   for (int x = 0; x < width; ++x) gray[x] /= 255.0f;
 }
-
-}  // namespace
 
 float LinearFromSrgb(float encoded) {
   return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);

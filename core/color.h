@@ -19,6 +19,7 @@ constexpr T Luma(const T& r, const T& g, const T& b) {
 
 // Intensity in [0, 1], the scale of the paper's costs.
 Image<float> GrayFromRgb(const Image<Rgb8>& rgb);
+void GrayRow(const Rgb8* rgb, int width, float* gray);
 // Into an image whose memory is used again if it has the size.
 void GrayFromRgb(const Image<Rgb8>& rgb, Image<float>* gray);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "silt/core/camera.h"
+#include "silt/core/color.h"
 #include "silt/core/image.h"
 #include "silt/core/se3.h"
 #include "silt/tracker/levenberg_marquardt.h"
@@ -89,6 +90,18 @@ class Backend {
   virtual std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>& intensity,
                                                       const Image<float>& depth_m,
                                                       const PyramidOptions& options) const = 0;
+
+  // The same of colour images, as the gray images of GrayFromRgb would give it.
+  virtual std::unique_ptr<ReferencePyramid> MakeReferenceOfColour(
+      const Image<Rgb8>& rgb, const Image<float>& depth_m, const PinholeCamera& camera,
+      const PyramidOptions& options) const {
+    return MakeReference(GrayFromRgb(rgb), depth_m, camera, options);
+  }
+  virtual std::unique_ptr<CurrentPyramid> MakeCurrentOfColour(const Image<Rgb8>& rgb,
+                                                              const Image<float>& depth_m,
+                                                              const PyramidOptions& options) const {
+    return MakeCurrent(GrayFromRgb(rgb), depth_m, options);
+  }
 
   // The keyframe as the current camera sees it: its pixels whose points are hidden there have no
   // depth. Where the current image has a depth, that tells what is hidden, and the result serves

@@ -3,6 +3,7 @@
 #include "silt/tracker/cpu_backend.h"
 
 #include <utility>
+#include <vector>
 
 #include "silt/core/error.h"
 #include "silt/tracker/cpu_preparation.h"
@@ -19,28 +20,36 @@ int MarginAt(std::size_t level, const PyramidOptions& options) {
   return level == 0 ? margin_px : (margin_px + 1) / 2;
 }
 
+using Source = CpuPreparation::Source;
+
+// Those levels of the pyramids that something is aligned at.
+std::vector<CpuPreparation::Level> LevelsOf(const CpuPreparation::Pyramids& made,
+                                            const PyramidOptions& options) {
+  std::vector<CpuPreparation::Level> levels;
+  for (std::size_t level = options.finest; level < made.depth_m.size(); ++level) {
+    levels.push_back(
+        {made.depth_m[level].get(), made.intensity[level].get(), MarginAt(level, options)});
+  }
+  return levels;
+}
+
 class CpuReference : public ReferencePyramid {
  public:
-  CpuReference(const CpuPreparation& prepare, const Image<float>& finest_intensity,
-               const Image<float>& finest_depth_m, PinholeCamera camera,
+  CpuReference(const CpuPreparation& prepare, const Source& source, PinholeCamera camera,
                const PyramidOptions& options)
-      : finest(options.finest),
-        intensity(prepare.Intensity(finest_intensity, options.levels)),
-        depth_m(prepare.Depth(finest_depth_m, options.levels)) {
-    if (options.finest == 0) intensity[0] = prepare.Own(finest_intensity);
+      : finest(options.finest), depth_m(options.levels) {
+    auto made = prepare.Make(source, options.levels, finest);
     CpuPreparation::Wanted wanted;
     wanted.depth = true;
-    for (int level = 0; level < options.finest; ++level) {
-      intensity[level] = depth_m[level] = nullptr;
-      levels_.push_back({camera, 0});
+    auto kept = prepare.AwayFromEdges(LevelsOf(made, options), wanted);
+    intensity = std::move(made.intensity);
+    for (int level = 0; level < options.levels; ++level) {
+      if (level < finest) intensity[level] = nullptr;
+      if (level >= finest) depth_m[level] = std::move(kept[level - finest].depth_m);
+      levels_.push_back({camera, level < finest ? 0 : kept[level - finest].measured});
       camera = camera.Halved();
     }
-    for (std::size_t level = options.finest; level < depth_m.size(); ++level) {
-      auto kept = prepare.AwayFromEdges(*depth_m[level], nullptr, MarginAt(level, options), wanted);
-      depth_m[level] = std::move(kept.depth_m);
-      levels_.push_back({camera, kept.measured});
-      camera = camera.Halved();
-    }
+    if (finest == 0 && source.gray) intensity[0] = prepare.Own(*source.gray);
   }
 
   // `other` with depths of its own.
@@ -57,29 +66,32 @@ class CpuReference : public ReferencePyramid {
 // An intensity beside a depth edge is NaN, so that nothing is compared with it.
 class CpuCurrent : public CurrentPyramid {
  public:
-  CpuCurrent(const CpuPreparation& prepare, const Image<float>& finest_intensity,
-             const Image<float>& finest_depth_m, const PyramidOptions& options)
-      : intensity(prepare.Intensity(finest_intensity, options.levels)) {
-    has_depth_ = !finest_depth_m.empty();
+  CpuCurrent(const CpuPreparation& prepare, const Source& source, const PyramidOptions& options) {
+    auto made = prepare.Make(source, options.levels, options.finest);
+    has_depth_ = source.depth_m != nullptr;
     CpuPreparation::Wanted wanted;
     wanted.inverse_depth = options.inverse_depth;
     wanted.intensity = options.depth_edge_margin_px > 0;
-    const bool keeps_finest = options.finest == 0;
-    if (keeps_finest && !(has_depth_ && wanted.intensity)) {
-      intensity[0] = prepare.Own(finest_intensity);
-    }
-    for (int level = 0; level < options.finest; ++level) intensity[level] = nullptr;
-    if (!has_depth_) return;
-    depth_m = prepare.Depth(finest_depth_m, options.levels);
-    if (keeps_finest) depth_m[0] = prepare.Own(finest_depth_m);
-    for (int level = 0; level < options.finest; ++level) depth_m[level] = nullptr;
+    auto kept = prepare.AwayFromEdges(LevelsOf(made, options), wanted);
+    intensity = std::move(made.intensity);
+    depth_m = std::move(made.depth_m);
     inverse_depth.resize(wanted.inverse_depth ? depth_m.size() : 0);
-    for (std::size_t level = options.finest; level < depth_m.size(); ++level) {
-      auto kept = prepare.AwayFromEdges(*depth_m[level], intensity[level].get(),
-                                        MarginAt(level, options), wanted);
-      if (wanted.inverse_depth) inverse_depth[level] = std::move(kept.inverse_depth);
-      if (wanted.intensity) intensity[level] = std::move(kept.intensity);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const std::size_t level = options.finest + i;
+      if (wanted.inverse_depth) inverse_depth[level] = std::move(kept[i].inverse_depth);
+      if (wanted.intensity) intensity[level] = std::move(kept[i].intensity);
     }
+    for (int level = 0; level < options.finest; ++level) {
+      intensity[level] = nullptr;
+      if (has_depth_) depth_m[level] = nullptr;
+    }
+    OwnFinest(prepare, source);
+  }
+
+  // What is still the source's.
+  void OwnFinest(const CpuPreparation& prepare, const Source& source) {
+    if (intensity[0].get() == source.gray && source.gray) intensity[0] = prepare.Own(*source.gray);
+    if (has_depth_ && depth_m[0]) depth_m[0] = prepare.Own(*source.depth_m);
   }
 
   CpuPyramid intensity;
@@ -97,17 +109,25 @@ class CpuBackend : public Backend {
                                                   const Image<float>& depth_m,
                                                   const PinholeCamera& camera,
                                                   const PyramidOptions& options) const override {
-    SILT_CHECK(intensity.width() == camera.width && intensity.height() == camera.height);
-    SILT_CHECK(depth_m.width() == camera.width && depth_m.height() == camera.height);
-    return std::make_unique<CpuReference>(preparation_, intensity, depth_m, camera, options);
+    return Reference({nullptr, &intensity, &depth_m}, camera, options);
+  }
+
+  std::unique_ptr<ReferencePyramid> MakeReferenceOfColour(
+      const Image<Rgb8>& rgb, const Image<float>& depth_m, const PinholeCamera& camera,
+      const PyramidOptions& options) const override {
+    return Reference({&rgb, nullptr, &depth_m}, camera, options);
   }
 
   std::unique_ptr<CurrentPyramid> MakeCurrent(const Image<float>& intensity,
                                               const Image<float>& depth_m,
                                               const PyramidOptions& options) const override {
-    SILT_CHECK(depth_m.empty() ||
-               (depth_m.width() == intensity.width() && depth_m.height() == intensity.height()));
-    return std::make_unique<CpuCurrent>(preparation_, intensity, depth_m, options);
+    return Current({nullptr, &intensity, depth_m.empty() ? nullptr : &depth_m}, options);
+  }
+
+  std::unique_ptr<CurrentPyramid> MakeCurrentOfColour(
+      const Image<Rgb8>& rgb, const Image<float>& depth_m,
+      const PyramidOptions& options) const override {
+    return Current({&rgb, nullptr, depth_m.empty() ? nullptr : &depth_m}, options);
   }
 
   std::unique_ptr<ReferencePyramid> WithoutHidden(
@@ -141,6 +161,21 @@ class CpuBackend : public Backend {
   }
 
  private:
+  std::unique_ptr<ReferencePyramid> Reference(const Source& source, const PinholeCamera& camera,
+                                              const PyramidOptions& options) const {
+    SILT_CHECK(source.width() == camera.width && source.height() == camera.height);
+    SILT_CHECK(source.depth_m->width() == camera.width);
+    SILT_CHECK(source.depth_m->height() == camera.height);
+    return std::make_unique<CpuReference>(preparation_, source, camera, options);
+  }
+
+  std::unique_ptr<CurrentPyramid> Current(const Source& source,
+                                          const PyramidOptions& options) const {
+    SILT_CHECK(!source.depth_m || (source.depth_m->width() == source.width() &&
+                                   source.depth_m->height() == source.height()));
+    return std::make_unique<CpuCurrent>(preparation_, source, options);
+  }
+
   static LevelImages Images(const ImagePair& pair, int level) {
     const auto& reference = dynamic_cast<const CpuReference&>(pair.reference);
     const auto& current = dynamic_cast<const CpuCurrent&>(pair.current);

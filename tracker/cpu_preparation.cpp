@@ -3,7 +3,6 @@
 #include "silt/tracker/cpu_preparation.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "silt/core/error.h"
 #include "silt/core/parallel.h"
@@ -25,13 +24,17 @@ simd::PreparationKernels KernelsOf(SimdLevel level) {
   return simd::BaselinePreparation();
 }
 
-int Tiles(int height) { return (height + kTileRows - 1) / kTileRows; }
+static_assert(sizeof(Rgb8) == 3);
 
-// Calls work(tile, begin, end) for all tiles of rows of an image.
+using Buffer = std::shared_ptr<Image<float>>;
+
+float* DataOf(const Buffer& buffer) { return buffer ? buffer->data() : nullptr; }
+
+// Calls work(begin, end) for all tiles of rows of an image.
 template <typename Work>
-void ForTiles(int width, int height, const Work& work) {
-  const auto tile = [&](int i) { work(i, i * kTileRows, std::min(height, (i + 1) * kTileRows)); };
-  const int tiles = Tiles(height);
+void ForTiles(int width, int height, int tile_rows, const Work& work) {
+  const auto tile = [&](int i) { work(i * tile_rows, std::min(height, (i + 1) * tile_rows)); };
+  const int tiles = (height + tile_rows - 1) / tile_rows;
   if (width * height > kFewPixels) return ParallelFor(tiles, tile);
   for (int i = 0; i < tiles; ++i) tile(i);
 }
@@ -41,63 +44,152 @@ void ForTiles(int width, int height, const Work& work) {
 CpuPreparation::CpuPreparation(SimdLevel level)
     : kernels_(KernelsOf(level)), pool_(std::make_shared<ImagePool>()) {}
 
-CpuPyramid CpuPreparation::Halved(const Image<float>& finest, int levels, Halve halve) const {
-  CpuPyramid pyramid{CpuLevel(CpuLevel(), &finest)};
+// The images of all levels that are made; null where they are not.
+struct CpuPreparation::Buffers {
+  std::vector<Buffer> intensity, depth_m;
+};
+
+CpuPreparation::Buffers CpuPreparation::BuffersFor(const Source& source, int levels,
+                                                   int finest) const {
+  Buffers buffers{std::vector<Buffer>(std::size_t(levels)), {}};
+  if (source.depth_m) buffers.depth_m.resize(std::size_t(levels));
+  for (int level = 0; level < levels; ++level) {
+    const int width = source.width() >> level, height = source.height() >> level;
+    if (level > 0 || (source.rgb && finest == 0)) buffers.intensity[level] = Take(width, height);
+    if (level > 0 && source.depth_m) buffers.depth_m[level] = Take(width, height);
+  }
+  return buffers;
+}
+
+// What rows [begin, end) of the finest level give at all levels, while they are in the cache.
+void CpuPreparation::MakeRows(const Source& source, const Buffers& buffers, int begin,
+                              int end) const {
+  const int width = source.width(), height = source.height();
+  const float* intensity = source.gray ? source.gray->data() : DataOf(buffers.intensity[0]);
+  const float* depth_m = source.depth_m ? source.depth_m->data() : nullptr;
+  if (source.rgb && intensity) {
+    kernels_.gray({&source.rgb->data()->r, DataOf(buffers.intensity[0]), width}, begin, end);
+  }
+  for (std::size_t level = 1; level < buffers.intensity.size(); ++level) {
+    const int first = begin >> level, last = (end == height ? height : end) >> level;
+    float* const half = DataOf(buffers.intensity[level]);
+    if (level > 1 || intensity) {
+      kernels_.halve_intensity({intensity, half, width >> (level - 1), 0}, first, last);
+    } else {
+      kernels_.halve_gray({&source.rgb->data()->r, half, width}, first, last);
+    }
+    intensity = half;
+    if (!source.depth_m) continue;
+    float* const half_m = DataOf(buffers.depth_m[level]);
+    kernels_.halve_depth({depth_m, half_m, width >> (level - 1), kSameSurface}, first, last);
+    depth_m = half_m;
+  }
+}
+
+CpuPreparation::Pyramids CpuPreparation::Make(const Source& source, int levels, int finest) const {
+  const Buffers buffers = BuffersFor(source, levels, finest);
+  // No row of a coarse level has a part in two tiles.
+  const int tile_rows = std::max(kTileRows, 1 << (levels - 1));
+  ForTiles(source.width(), source.height(), tile_rows,
+           [&](int begin, int end) { MakeRows(source, buffers, begin, end); });
+  Pyramids made{{buffers.intensity.begin(), buffers.intensity.end()},
+                {buffers.depth_m.begin(), buffers.depth_m.end()}};
+  if (source.gray) made.intensity[0] = CpuLevel(CpuLevel(), source.gray);
+  if (source.depth_m) made.depth_m[0] = CpuLevel(CpuLevel(), source.depth_m);
+  return made;
+}
+
+CpuPyramid CpuPreparation::Depth(const Image<float>& finest_m, int levels) const {
+  CpuPyramid pyramid{CpuLevel(CpuLevel(), &finest_m)};
   for (int level = 1; level < levels; ++level) {
     const Image<float>& fine = *pyramid.back();
-    const auto half = Take(fine.width() / 2, fine.height() / 2);
+    const Buffer half = Take(fine.width() / 2, fine.height() / 2);
     const simd::HalvedView view{fine.data(), half->data(), fine.width(), kSameSurface};
-    ForTiles(half->width(), half->height(),
-             [&](int, int begin, int end) { halve(view, begin, end); });
+    ForTiles(half->width(), half->height(), kTileRows,
+             [&](int begin, int end) { kernels_.halve_depth(view, begin, end); });
     pyramid.push_back(half);
   }
   return pyramid;
 }
 
-CpuPyramid CpuPreparation::Intensity(const Image<float>& finest, int levels) const {
-  return Halved(finest, levels, kernels_.halve_intensity);
-}
-
-CpuPyramid CpuPreparation::Depth(const Image<float>& finest_m, int levels) const {
-  return Halved(finest_m, levels, kernels_.halve_depth);
-}
-
 CpuLevel CpuPreparation::Own(const Image<float>& image) const {
   const auto copy = Take(image.width(), image.height());
-  ForTiles(image.width(), image.height(), [&](int, int begin, int end) {
+  ForTiles(image.width(), image.height(), kTileRows, [&](int begin, int end) {
     const std::size_t row = std::size_t(image.width());
     std::copy_n(image.data() + begin * row, (end - begin) * row, copy->data() + begin * row);
   });
   return copy;
 }
 
-CpuPreparation::Kept CpuPreparation::AwayFromEdges(const Image<float>& depth_m,
-                                                   const Image<float>* intensity, int margin_px,
-                                                   const Wanted& wanted) const {
-  SILT_CHECK(!wanted.intensity || intensity != nullptr);
-  const int width = depth_m.width(), height = depth_m.height();
-  using Buffer = std::shared_ptr<Image<float>>;
-  const auto take = [&](bool needed) { return needed ? Take(width, height) : Buffer(); };
-  const Buffer marks = take(margin_px > 0), kept_m = take(wanted.depth),
-               inverse_depth = take(wanted.inverse_depth), kept = take(wanted.intensity);
-  const auto data = [](const Buffer& buffer) { return buffer ? buffer->data() : nullptr; };
-  const simd::EdgeView view{width,
-                            height,
-                            std::clamp(margin_px - 1, 0, simd::kMaxEdgeReach),
-                            depth_m.data(),
-                            intensity ? intensity->data() : nullptr,
-                            data(marks),
-                            data(kept_m),
-                            data(inverse_depth),
-                            data(kept)};
-  if (marks) {
-    ForTiles(width, height,
-             [&](int, int begin, int end) { kernels_.mark_edges(view, begin, end); });
+namespace {
+
+// A tile of a level's rows.
+struct EdgeTile {
+  std::size_t level;
+  int begin, end;
+};
+
+std::vector<EdgeTile> TilesOf(const std::vector<simd::EdgeView>& views) {
+  std::vector<EdgeTile> tiles;
+  for (std::size_t level = 0; level < views.size(); ++level) {
+    const int height = views[level].height;
+    for (int y = 0; y < height; y += kTileRows) {
+      tiles.push_back({level, y, std::min(height, y + kTileRows)});
+    }
   }
-  std::vector<int> measured(Tiles(height));
-  ForTiles(width, height,
-           [&](int tile, int begin, int end) { measured[tile] = kernels_.keep(view, begin, end); });
-  return {kept_m, inverse_depth, kept, std::accumulate(measured.begin(), measured.end(), 0)};
+  return tiles;
+}
+
+// Marks reach into other tiles.
+bool ReachesOut(const simd::EdgeView& view) { return view.marks && view.reach > 0; }
+
+// Calls work(i) for all tiles.
+template <typename Work>
+void ForTiles(const std::vector<simd::EdgeView>& views, const std::vector<EdgeTile>& tiles,
+              const Work& work) {
+  int pixels = 0;
+  for (const simd::EdgeView& view : views) pixels += view.width * view.height;
+  if (pixels > kFewPixels) return ParallelFor(int(tiles.size()), work);
+  for (int i = 0; i < int(tiles.size()); ++i) work(i);
+}
+
+}  // namespace
+
+std::vector<CpuPreparation::Kept> CpuPreparation::AwayFromEdges(const std::vector<Level>& levels,
+                                                                const Wanted& wanted) const {
+  std::vector<Kept> all;
+  std::vector<Buffer> marks;
+  std::vector<simd::EdgeView> views;
+  for (const Level& level : levels) {
+    SILT_CHECK(!wanted.intensity || level.intensity != nullptr);
+    const int width = level.depth_m->width(), height = level.depth_m->height();
+    const auto take = [&](bool needed) { return needed ? Take(width, height) : Buffer(); };
+    const Buffer depth_m = take(wanted.depth), inverse_depth = take(wanted.inverse_depth),
+                 intensity = take(wanted.intensity);
+    marks.push_back(take(level.margin_px > 0));
+    views.push_back({width, height, std::clamp(level.margin_px - 1, 0, simd::kMaxEdgeReach),
+                     level.depth_m->data(), level.intensity ? level.intensity->data() : nullptr,
+                     DataOf(marks.back()), DataOf(depth_m), DataOf(inverse_depth),
+                     DataOf(intensity)});
+    all.push_back({depth_m, inverse_depth, intensity, 0});
+  }
+  const std::vector<EdgeTile> tiles = TilesOf(views);
+  const auto mark = [&](int i) {
+    kernels_.mark_edges(views[tiles[i].level], tiles[i].begin, tiles[i].end);
+  };
+  if (std::any_of(views.begin(), views.end(), ReachesOut)) {
+    ForTiles(views, tiles, [&](int i) {
+      if (ReachesOut(views[tiles[i].level])) mark(i);
+    });
+  }
+  std::vector<int> measured(tiles.size());
+  ForTiles(views, tiles, [&](int i) {
+    const simd::EdgeView& view = views[tiles[i].level];
+    if (view.marks && !ReachesOut(view)) mark(i);
+    measured[i] = kernels_.keep(view, tiles[i].begin, tiles[i].end);
+  });
+  for (std::size_t i = 0; i < tiles.size(); ++i) all[tiles[i].level].measured += measured[i];
+  return all;
 }
 
 }  // namespace silt::tracker

@@ -11,7 +11,8 @@ Image<float> WithoutDepthEdges(const Image<float>& depth_m, int margin_px) {
   CpuPreparation::Wanted wanted;
   wanted.depth = true;
   return *CpuPreparation(BestSimdLevel())
-              .AwayFromEdges(depth_m, nullptr, margin_px, wanted)
+              .AwayFromEdges({{&depth_m, nullptr, margin_px}}, wanted)
+              .front()
               .depth_m;
 }
 

@@ -3,13 +3,14 @@
 #include "silt/tracker/image_content.h"
 
 #include <algorithm>
+#include <vector>
 
+#include "silt/core/color.h"
 #include "silt/core/pyramid.h"
 
 namespace silt::tracker {
 namespace {
 
-// Of rows y, y + kEvery, …: enough for what only thresholds ask.
 constexpr int kEvery = 8;
 
 struct ImageFacts {
@@ -44,17 +45,32 @@ void AddRow(const float* intensity, const float* depth_m, int width, ImageFacts*
   }
 }
 
-}  // namespace
-
-ImageContent ContentOf(const Image<float>& intensity, const Image<float>& depth_m) {
-  if (depth_m.empty() || intensity.empty()) return {};
+// `intensity_row(y)` gives a row of intensities.
+template <typename Rows>
+ImageContent ContentOfRows(const Rows& intensity_row, const Image<float>& depth_m) {
+  if (depth_m.empty()) return {};
   ImageFacts facts;
-  for (int y = 0; y < intensity.height(); y += kEvery) {
-    AddRow(intensity.row(y), depth_m.row(y), intensity.width(), &facts);
+  for (int y = 0; y < depth_m.height(); y += kEvery) {
+    AddRow(intensity_row(y), depth_m.row(y), depth_m.width(), &facts);
   }
   const double mean = facts.sum / facts.pixels;
   return {facts.measured / facts.pixels, std::max(0.0, facts.squares / facts.pixels - mean * mean),
           facts.measured > 0 ? facts.inverse_depths / facts.measured : 0};
+}
+
+}  // namespace
+
+ImageContent ContentOf(const Image<Rgb8>& rgb, const Image<float>& depth_m) {
+  std::vector<float> gray(std::size_t(rgb.width()));
+  const auto row = [&](int y) {
+    GrayRow(rgb.row(y), rgb.width(), gray.data());
+    return gray.data();
+  };
+  return ContentOfRows(row, depth_m);
+}
+
+ImageContent ContentOf(const Image<float>& intensity, const Image<float>& depth_m) {
+  return ContentOfRows([&](int y) { return intensity.row(y); }, depth_m);
 }
 
 }  // namespace silt::tracker

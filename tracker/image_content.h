@@ -3,6 +3,7 @@
 #pragma once
 
 #include "silt/core/image.h"
+#include "silt/core/vector.h"
 
 namespace silt::tracker {
 
@@ -13,7 +14,8 @@ struct ImageContent {
   double mean_inverse_depth = 0;  // 1/m
 };
 
-// All 0 where the depth is empty.
+// From every eighth row, which is enough for thresholds. All 0 where the depth is empty.
+ImageContent ContentOf(const Image<Rgb8>& rgb, const Image<float>& depth_m);
 ImageContent ContentOf(const Image<float>& intensity, const Image<float>& depth_m);
 
 }  // namespace silt::tracker

@@ -16,7 +16,7 @@ namespace silt::tracker {
 struct Keyframe {
   int id = 0;  // counts from 0 in the order of creation
   Frame frame;
-  Image<float> intensity;    // of frame.rgb, in [0, 1]
+  Image<float> intensity;    // of frame.rgb, in [0, 1]; empty until an initializer needs it
   SE3d world_from_camera;    // T_wr, as estimated
   Covariance6 covariance{};  // of it, in its camera's frame
 };

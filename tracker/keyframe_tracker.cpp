@@ -41,19 +41,29 @@ KeyframeTracker::~KeyframeTracker() = default;
 
 TrackedFrame KeyframeTracker::Track(const Frame& frame,
                                     const std::optional<SE3d>& expected_world_from_camera) {
+  return TrackGiven({frame, nullptr}, expected_world_from_camera);
+}
+
+TrackedFrame KeyframeTracker::Track(Frame&& frame,
+                                    const std::optional<SE3d>& expected_world_from_camera) {
+  return TrackGiven({frame, &frame}, expected_world_from_camera);
+}
+
+TrackedFrame KeyframeTracker::TrackGiven(const Given& given,
+                                         const std::optional<SE3d>& expected_world_from_camera) {
+  const Frame& frame = given.frame;
   CheckFrame(frame);
   TrackedFrame result;
   result.time_s = frame.time_s;
   {
     const Stopwatch total(&result.times.total_ms);
-    MakeGray(frame, &result);
     // The first frame is the first keyframe; later ones are aligned with the nearest keyframe.
     if (!keyframes_.empty()) {
       const SE3d expected = expected_world_from_camera.value_or(Predicted(frame.time_s));
       foretold_ = expected_world_from_camera.has_value() || velocity_.has_value();
-      Localize(frame, gray_, expected, &result);
+      Localize(frame, expected, &result);
     }
-    if (NeedsNewKeyframe(result)) MakeKeyframe(frame, &result);
+    if (NeedsNewKeyframe(result)) MakeKeyframe(given, &result);
   }
   result.world_from_camera = world_from_camera_;
   ++frame_index_;
@@ -66,13 +76,7 @@ void KeyframeTracker::CheckFrame(const Frame& frame) const {
   CheckSize("depth", frame.depth_m.width(), frame.depth_m.height(), camera_, frame_index_);
 }
 
-void KeyframeTracker::MakeGray(const Frame& frame, TrackedFrame* result) {
-  const Stopwatch watch(&result->times.pyramid_ms);
-  GrayFromRgb(frame.rgb, &gray_);
-}
-
-void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity,
-                               const SE3d& expected, TrackedFrame* result) {
+void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, TrackedFrame* result) {
   // The position of the previous image defines the nearest keyframe (§3.1).
   const std::vector<int> nearest =
       Seen(NearestKeyframes(keyframes_, options_.always_initialize ? world_from_camera_ : expected,
@@ -80,14 +84,14 @@ void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity
            expected);
   const Keyframe& keyframe = keyframes_[nearest.front()];
   result->keyframe_id = keyframe.id;
-  const std::unique_ptr<CurrentPyramid> current = MakeCurrent(frame, intensity, result);
+  const std::unique_ptr<CurrentPyramid> current = MakeCurrent(frame, result);
   // Initial T_cr (§3.2), then its refinement (§3.3).
   const SE3d start = expected.Inverse() * keyframe.world_from_camera;
-  if (options_.always_initialize) Initialize(keyframe, start, frame, intensity, result);
+  if (options_.always_initialize) Initialize(keyframe.id, start, frame, result);
   Refine(nearest, *current, result->initial.current_from_keyframe.value_or(start), result);
   if (result->status == TrackingStatus::kLost) {
     velocity_.reset();
-    Relocalize(frame, intensity, *current, expected, result);
+    Relocalize(frame, *current, expected, result);
   } else {
     Accept(result);
   }
@@ -95,14 +99,13 @@ void KeyframeTracker::Localize(const Frame& frame, const Image<float>& intensity
 
 // Tries one keyframe after the other, from where the features say or from where it may be; the
 // first that leaves no doubt is it.
-void KeyframeTracker::Relocalize(const Frame& frame, const Image<float>& intensity,
-                                 const CurrentPyramid& current, const SE3d& expected,
-                                 TrackedFrame* result) {
+void KeyframeTracker::Relocalize(const Frame& frame, const CurrentPyramid& current,
+                                 const SE3d& expected, TrackedFrame* result) {
   const TrackedFrame before = *result;
-  for (const Candidate& candidate : Candidates(before.keyframe_id, intensity, expected)) {
+  for (const Candidate& candidate : Candidates(before.keyframe_id, frame, expected)) {
     const Keyframe& keyframe = keyframes_[candidate.id];
     result->keyframe_id = candidate.id;
-    Initialize(keyframe, candidate.current_from_keyframe, frame, intensity, result);
+    Initialize(candidate.id, candidate.current_from_keyframe, frame, result);
     const SE3d start =
         result->initial.current_from_keyframe.value_or(candidate.current_from_keyframe);
     const SE3d world_from_start = keyframe.world_from_camera * start.Inverse();
@@ -119,14 +122,17 @@ void KeyframeTracker::Relocalize(const Frame& frame, const Image<float>& intensi
 
 // The nearest keyframe as seen from where the camera is expected; those that look most like the
 // image, where a motion foretells that they are in view; and those from their own places.
-std::vector<KeyframeTracker::Candidate> KeyframeTracker::Candidates(int nearest,
-                                                                    const Image<float>& intensity,
-                                                                    const SE3d& expected) const {
+std::vector<KeyframeTracker::Candidate> KeyframeTracker::Candidates(int nearest, const Frame& frame,
+                                                                    const SE3d& expected) {
   if (options_.relocalization_candidates == 0) return {};
   std::vector<const Image<float>*> thumbnails;
-  for (const Reference& reference : references_) thumbnails.push_back(&reference.thumbnail);
+  for (std::size_t i = 0; i < references_.size(); ++i) {
+    Image<float>& thumbnail = references_[i].thumbnail;
+    if (thumbnail.empty()) thumbnail = Thumbnail(keyframes_[i].frame.rgb);
+    thumbnails.push_back(&thumbnail);
+  }
   const std::vector<int> alike =
-      MostAlike(thumbnails, Thumbnail(intensity), options_.relocalization_candidates);
+      MostAlike(thumbnails, Thumbnail(frame.rgb), options_.relocalization_candidates);
   const auto seen = [&](int id) {
     return Candidate{id, expected.Inverse() * keyframes_[id].world_from_camera};
   };
@@ -192,23 +198,33 @@ void KeyframeTracker::Accept(TrackedFrame* result) {
   time_s_ = result->time_s;
 }
 
-bool KeyframeTracker::Initialize(const Keyframe& nearest, const SE3d& expected, const Frame& frame,
-                                 const Image<float>& intensity, TrackedFrame* result) {
+bool KeyframeTracker::Initialize(int keyframe, const SE3d& expected, const Frame& frame,
+                                 TrackedFrame* result) {
   if (!initializer_) return false;
+  MakeIntensities(keyframe, frame, result);
   const Stopwatch watch(&result->times.initial_estimate_ms);
   result->initial = initializer_->Estimate(
-      {nearest, frame, intensity, camera_, options_.seed, frame_index_, expected});
+      {keyframes_[keyframe], frame, gray_, camera_, options_.seed, frame_index_, expected});
   return result->initial.current_from_keyframe.has_value();
 }
 
+// Those that are not there yet.
+void KeyframeTracker::MakeIntensities(int keyframe, const Frame& frame, TrackedFrame* result) {
+  const Stopwatch watch(&result->times.pyramid_ms);
+  Image<float>& of_keyframe = keyframes_[keyframe].intensity;
+  if (of_keyframe.empty()) of_keyframe = GrayFromRgb(keyframes_[keyframe].frame.rgb);
+  if (gray_frame_index_ == frame_index_) return;
+  GrayFromRgb(frame.rgb, &gray_);
+  gray_frame_index_ = frame_index_;
+}
+
 std::unique_ptr<CurrentPyramid> KeyframeTracker::MakeCurrent(const Frame& frame,
-                                                             const Image<float>& intensity,
                                                              TrackedFrame* result) const {
   const Stopwatch watch(&result->times.pyramid_ms);
   const AlignmentOptions& alignment = options_.alignment;
   const Image<float> none;
-  return backend_->MakeCurrent(intensity, alignment.use_current_depth ? frame.depth_m : none,
-                               alignment.Pyramids());
+  return backend_->MakeCurrentOfColour(
+      frame.rgb, alignment.use_current_depth ? frame.depth_m : none, alignment.Pyramids());
 }
 
 void KeyframeTracker::Refine(const std::vector<int>& nearest, const CurrentPyramid& current,
@@ -255,9 +271,10 @@ bool KeyframeTracker::ShowsWhatNoneKnows() const {
   });
 }
 
-void KeyframeTracker::MakeKeyframe(const Frame& frame, TrackedFrame* result) {
+void KeyframeTracker::MakeKeyframe(const Given& given, TrackedFrame* result) {
   const Stopwatch watch(&result->times.pyramid_ms);
-  const ImageContent content = ContentOf(gray_, frame.depth_m);
+  const Frame& frame = given.frame;
+  const ImageContent content = ContentOf(frame.rgb, frame.depth_m);
   const double measured = content.measured_share;
   if (measured < options_.keyframes.min_measured_depth || measured == 0) {
     result->message =
@@ -265,14 +282,15 @@ void KeyframeTracker::MakeKeyframe(const Frame& frame, TrackedFrame* result) {
     return;
   }
   const int id = int(keyframes_.size());
-  references_.push_back(
-      {backend_->MakeReference(gray_, frame.depth_m, camera_, options_.alignment.Pyramids()),
-       content, Thumbnail(gray_)});
-  keyframes_.push_back({id, frame, std::move(gray_), world_from_camera_, result->covariance});
-  gray_ = {};
+  references_.push_back({backend_->MakeReferenceOfColour(frame.rgb, frame.depth_m, camera_,
+                                                         options_.alignment.Pyramids()),
+                         content,
+                         {}});
+  keyframes_.push_back({id, {}, {}, world_from_camera_, result->covariance});
+  keyframes_.back().frame = given.movable ? std::move(*given.movable) : frame;
   result->new_keyframe = true;
   if (id == 0) {
-    time_s_ = frame.time_s;
+    time_s_ = result->time_s;
     result->status = TrackingStatus::kTracked;
     result->keyframe_id = id;
   }

@@ -60,6 +60,9 @@ class KeyframeTracker {
   // `expected_world_from_camera` replaces the start that the tracker would foretell itself.
   TrackedFrame Track(const Frame& frame,
                      const std::optional<SE3d>& expected_world_from_camera = std::nullopt);
+  // The same without a copy of the frame where it becomes a keyframe; else it is left alone.
+  TrackedFrame Track(Frame&& frame,
+                     const std::optional<SE3d>& expected_world_from_camera = std::nullopt);
 
   // In the order of creation: keyframes()[i].id == i.
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
@@ -69,7 +72,7 @@ class KeyframeTracker {
   struct Reference {
     std::unique_ptr<ReferencePyramid> pyramid;
     ImageContent content;
-    Image<float> thumbnail;
+    Image<float> thumbnail;  // empty until the camera is lost
   };
 
   // A keyframe that a lost camera may be looking at, and where from.
@@ -78,34 +81,38 @@ class KeyframeTracker {
     SE3d current_from_keyframe;
   };
 
+  // A frame, and whether it may be taken for a keyframe instead of being copied.
+  struct Given {
+    const Frame& frame;
+    Frame* movable;
+  };
+
+  TrackedFrame TrackGiven(const Given& given, const std::optional<SE3d>& expected);
   void CheckFrame(const Frame& frame) const;
-  void MakeGray(const Frame& frame, TrackedFrame* result);
-  void Localize(const Frame& frame, const Image<float>& intensity, const SE3d& expected,
-                TrackedFrame* result);
+  void Localize(const Frame& frame, const SE3d& expected, TrackedFrame* result);
   SE3d Predicted(double time_s) const;
-  bool Initialize(const Keyframe& nearest, const SE3d& expected, const Frame& frame,
-                  const Image<float>& intensity, TrackedFrame* result);
-  std::unique_ptr<CurrentPyramid> MakeCurrent(const Frame& frame, const Image<float>& intensity,
-                                              TrackedFrame* result) const;
+  bool Initialize(int keyframe, const SE3d& expected, const Frame& frame, TrackedFrame* result);
+  void MakeIntensities(int keyframe, const Frame& frame, TrackedFrame* result);
+  std::unique_ptr<CurrentPyramid> MakeCurrent(const Frame& frame, TrackedFrame* result) const;
   void Refine(const std::vector<int>& nearest, const CurrentPyramid& current, const SE3d& initial,
               TrackedFrame* result);
-  void Relocalize(const Frame& frame, const Image<float>& intensity, const CurrentPyramid& current,
-                  const SE3d& expected, TrackedFrame* result);
-  std::vector<Candidate> Candidates(int nearest, const Image<float>& intensity,
-                                    const SE3d& expected) const;
+  void Relocalize(const Frame& frame, const CurrentPyramid& current, const SE3d& expected,
+                  TrackedFrame* result);
+  std::vector<Candidate> Candidates(int nearest, const Frame& frame, const SE3d& expected);
   double Overlap(const Keyframe& keyframe, const SE3d& world_from_camera) const;
   std::vector<int> Seen(std::vector<int> ids, const SE3d& world_from_camera) const;
   std::vector<int> WithNeighbours(int id, const SE3d& world_from_camera) const;
   void Accept(TrackedFrame* result);
   bool NeedsNewKeyframe(const TrackedFrame& result) const;
   bool ShowsWhatNoneKnows() const;
-  void MakeKeyframe(const Frame& frame, TrackedFrame* result);
+  void MakeKeyframe(const Given& given, TrackedFrame* result);
 
   PinholeCamera camera_;
   TrackerOptions options_;
   std::shared_ptr<const Backend> backend_;
   std::unique_ptr<Initializer> initializer_;
-  Image<float> gray_;  // of the current frame, in [0, 1]
+  Image<float> gray_;          // in [0, 1], for the initializer
+  int gray_frame_index_ = -1;  // of the frame that it is of
   std::vector<Keyframe> keyframes_;
   std::vector<Reference> references_;  // of keyframes_
   SE3d world_from_camera_;             // of the last tracked frame

@@ -6,17 +6,22 @@
 #include <cmath>
 #include <utility>
 
+#include "silt/core/color.h"
+
 namespace silt::tracker {
 namespace {
 
 constexpr int kLongerSide = 16;
 
-float BlockMean(const Image<float>& image, int x, int y, int block) {
-  double sum = 0;
-  for (int j = y; j < y + block; ++j) {
-    for (int i = x; i < x + block; ++i) sum += double(image(i, j));
+// Some of a large block's pixels do.
+template <typename Gray>
+float BlockMean(const Gray& gray, int x, int y, int block) {
+  const int stride = std::max(1, block / 8);
+  double sum = 0, count = 0;
+  for (int j = y; j < y + block; j += stride) {
+    for (int i = x; i < x + block; i += stride, ++count) sum += double(gray(i, j));
   }
-  return float(sum / (double(block) * block));
+  return float(sum / count);
 }
 
 double Correlation(const Image<float>& a, const Image<float>& b) {
@@ -26,15 +31,14 @@ double Correlation(const Image<float>& a, const Image<float>& b) {
   return sum;
 }
 
-}  // namespace
-
-Image<float> Thumbnail(const Image<float>& intensity) {
-  const int block = std::max(1, std::max(intensity.width(), intensity.height()) / kLongerSide);
-  Image<float> small(intensity.width() / block, intensity.height() / block);
+template <typename Gray>
+Image<float> ThumbnailOf(const Gray& gray, int width, int height) {
+  const int block = std::max(1, std::max(width, height) / kLongerSide);
+  Image<float> small(width / block, height / block);
   double mean = 0, squares = 0;
   for (int y = 0; y < small.height(); ++y) {
     for (int x = 0; x < small.width(); ++x) {
-      small(x, y) = BlockMean(intensity, x * block, y * block, block);
+      small(x, y) = BlockMean(gray, x * block, y * block, block);
       mean += double(small(x, y)) / double(small.size());
     }
   }
@@ -45,6 +49,20 @@ Image<float> Thumbnail(const Image<float>& intensity) {
   const float scale = squares > 1e-8 ? float(1 / std::sqrt(squares)) : 0.0f;
   for (float& value : small) value *= scale;
   return small;
+}
+
+}  // namespace
+
+Image<float> Thumbnail(const Image<float>& intensity) {
+  return ThumbnailOf(intensity, intensity.width(), intensity.height());
+}
+
+Image<float> Thumbnail(const Image<Rgb8>& rgb) {
+  const auto gray = [&](int x, int y) {
+    const Rgb8& c = rgb(x, y);
+    return Luma(float(c.r), float(c.g), float(c.b)) / 255.0f;
+  };
+  return ThumbnailOf(gray, rgb.width(), rgb.height());
 }
 
 std::vector<int> MostAlike(const std::vector<const Image<float>*>& thumbnails,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "silt/core/image.h"
+#include "silt/core/vector.h"
 
 // Which keyframes a camera that is lost may be looking at.
 namespace silt::tracker {
@@ -13,6 +14,7 @@ namespace silt::tracker {
 // their root sum of squares, so that brightness and contrast do not count. All 0 for one that is
 // even.
 Image<float> Thumbnail(const Image<float>& intensity);
+Image<float> Thumbnail(const Image<Rgb8>& rgb);
 
 // Indices of the `count` thumbnails, or fewer where there are not so many, whose correlation with
 // `current` is largest, largest first, the earlier of equal ones. One of another size has none.

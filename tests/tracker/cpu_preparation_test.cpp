@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "silt/core/color.h"
 #include "silt/core/pyramid.h"
 #include "silt/core/random.h"
 
@@ -72,6 +73,11 @@ Image<std::uint8_t> Edges(const Image<float>& depth_m, int margin_px) {
 
 class Preparation : public testing::TestWithParam<SimdLevel> {
  protected:
+  CpuPreparation::Kept AwayFromEdges(const Image<float>& depth_m, const Image<float>* intensity,
+                                     int margin_px, const CpuPreparation::Wanted& wanted) const {
+    return prepare_.AwayFromEdges({{&depth_m, intensity, margin_px}}, wanted).front();
+  }
+
   const CpuPreparation prepare_{GetParam()};
 };
 
@@ -82,14 +88,60 @@ constexpr int kSizes[][2] = {{640, 70}, {333, 65}, {48, 3}, {5, 4}, {2, 2}};
 TEST_P(Preparation, HalvesAsCoreDoes) {
   for (const auto& [width, height] : kSizes) {
     const Image<float> depth_m = PatchyDepth(width, height), intensity = Noise(width, height);
-    const CpuPyramid depths = prepare_.Depth(depth_m, 3), values = prepare_.Intensity(intensity, 3);
+    const CpuPreparation::Pyramids made = prepare_.Make({nullptr, &intensity, &depth_m}, 3, 0);
+    const CpuPyramid &depths = made.depth_m, &values = made.intensity;
     ASSERT_EQ(depths.size(), 3u);
     EXPECT_EQ(depths[0].get(), &depth_m);
+    EXPECT_EQ(values[0].get(), &intensity);
+    EXPECT_TRUE(SameBits(*prepare_.Depth(depth_m, 3)[2], *depths[2])) << width;
     EXPECT_TRUE(SameBits(*depths[1], HalvedDepth(depth_m))) << width;
     EXPECT_TRUE(SameBits(*depths[2], HalvedDepth(HalvedDepth(depth_m)))) << width;
     EXPECT_TRUE(SameBits(*values[1], HalvedIntensity(intensity))) << width;
     EXPECT_TRUE(SameBits(*values[2], HalvedIntensity(HalvedIntensity(intensity)))) << width;
   }
+}
+
+Image<Rgb8> Colours(int width, int height) {
+  const CounterRandom random(4);
+  Image<Rgb8> image(width, height);
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const auto byte = [&](std::uint64_t k) {
+      return std::uint8_t(256 * random.Uniform(3 * i + k));
+    };
+    image.data()[i] = {byte(0), byte(1), byte(2)};
+  }
+  return image;
+}
+
+// With the gray image itself, and without it.
+TEST_P(Preparation, HalvesColoursAsTheirGrayImage) {
+  for (const auto& [width, height] : kSizes) {
+    const Image<Rgb8> rgb = Colours(width, height);
+    const Image<float> gray = GrayFromRgb(rgb);
+    const auto want = prepare_.Make({nullptr, &gray, nullptr}, 3, 0);
+    const auto all = prepare_.Make({&rgb, nullptr, nullptr}, 3, 0);
+    const auto coarse = prepare_.Make({&rgb, nullptr, nullptr}, 3, 1);
+    EXPECT_TRUE(SameBits(*all.intensity[0], gray)) << width;
+    EXPECT_FALSE(coarse.intensity[0]);
+    EXPECT_TRUE(all.depth_m.empty());
+    for (const int level : {1, 2}) {
+      EXPECT_TRUE(SameBits(*all.intensity[level], *want.intensity[level])) << width;
+      EXPECT_TRUE(SameBits(*coarse.intensity[level], *want.intensity[level])) << width;
+    }
+  }
+}
+
+// Levels of different margins at once, as each of them alone.
+TEST_P(Preparation, KeepsSeveralLevelsAtOnce) {
+  const Image<float> fine_m = PatchyDepth(333, 265), coarse_m = PatchyDepth(160, 120);
+  const auto both = prepare_.AwayFromEdges({{&fine_m, nullptr, 2}, {&coarse_m, nullptr, 1}},
+                                           {true, false, false});
+  const auto fine = AwayFromEdges(fine_m, nullptr, 2, {true, false, false});
+  const auto coarse = AwayFromEdges(coarse_m, nullptr, 1, {true, false, false});
+  EXPECT_TRUE(SameBits(*both[0].depth_m, *fine.depth_m));
+  EXPECT_TRUE(SameBits(*both[1].depth_m, *coarse.depth_m));
+  EXPECT_EQ(both[0].measured, fine.measured);
+  EXPECT_EQ(both[1].measured, coarse.measured);
 }
 
 TEST_P(Preparation, KeepsWhatLiesAwayFromEdges) {
@@ -105,7 +157,7 @@ TEST_P(Preparation, KeepsWhatLiesAwayFromEdges) {
         inverse.data()[i] = IsMeasured(z) ? 1 / z : kNaN;
         if (z == 0 && depth_m.data()[i] != 0) kept.data()[i] = kNaN;
       }
-      const auto got = prepare_.AwayFromEdges(depth_m, &intensity, margin, {true, true, true});
+      const auto got = AwayFromEdges(depth_m, &intensity, margin, {true, true, true});
       EXPECT_TRUE(SameBits(*got.depth_m, kept_m)) << width << " " << margin;
       EXPECT_TRUE(SameBits(*got.inverse_depth, inverse)) << width << " " << margin;
       EXPECT_TRUE(SameBits(*got.intensity, kept)) << width << " " << margin;
@@ -115,7 +167,7 @@ TEST_P(Preparation, KeepsWhatLiesAwayFromEdges) {
 }
 
 TEST_P(Preparation, GivesNothingUnasked) {
-  const auto got = prepare_.AwayFromEdges(PatchyDepth(48, 30), nullptr, 1, {false, true, false});
+  const auto got = AwayFromEdges(PatchyDepth(48, 30), nullptr, 1, {false, true, false});
   EXPECT_FALSE(got.depth_m);
   EXPECT_TRUE(got.inverse_depth);
   EXPECT_FALSE(got.intensity);

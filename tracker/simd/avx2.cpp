@@ -3,6 +3,7 @@
 #include "silt/tracker/simd/row_kernel.h"
 // The rows use what row_kernel.h declares.
 #include "silt/tracker/simd/edge_rows.h"
+#include "silt/tracker/simd/gray_rows.h"
 #include "silt/tracker/simd/halve_rows.h"
 
 namespace silt::tracker::simd {
@@ -14,9 +15,10 @@ Kernels Avx2Kernels() {
 }
 
 PreparationKernels Avx2Preparation() {
+  using Gray = GrayRows<xsimd::avx2>;
   using Halve = HalveRows<xsimd::avx2>;
   using Edges = EdgeRows<xsimd::avx2>;
-  return {Halve::Intensity, Halve::Depth, Edges::Mark, Edges::Keep};
+  return {Gray::Full, Gray::Halved, Halve::Intensity, Halve::Depth, Edges::Mark, Edges::Keep};
 }
 
 }  // namespace silt::tracker::simd

@@ -3,6 +3,7 @@
 #include "silt/tracker/simd/row_kernel.h"
 // The rows use what row_kernel.h declares.
 #include "silt/tracker/simd/edge_rows.h"
+#include "silt/tracker/simd/gray_rows.h"
 #include "silt/tracker/simd/halve_rows.h"
 
 namespace silt::tracker::simd {
@@ -14,9 +15,10 @@ Kernels Avx512Kernels() {
 }
 
 PreparationKernels Avx512Preparation() {
+  using Gray = GrayRows<xsimd::avx512f>;
   using Halve = HalveRows<xsimd::avx512f>;
   using Edges = EdgeRows<xsimd::avx512f>;
-  return {Halve::Intensity, Halve::Depth, Edges::Mark, Edges::Keep};
+  return {Gray::Full, Gray::Halved, Halve::Intensity, Halve::Depth, Edges::Mark, Edges::Keep};
 }
 
 }  // namespace silt::tracker::simd

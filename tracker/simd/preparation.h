@@ -6,6 +6,13 @@
 // level_view.h for why all of this is plain. Images are without padding.
 namespace silt::tracker::simd {
 
+// A colour image, three bytes a pixel, and the gray image of it, or the half of that.
+struct GrayView {
+  const unsigned char* rgb;
+  float* gray;
+  int width;  // of the colour image
+};
+
 // An image and the next coarser one: core/pyramid.h says what of.
 struct HalvedView {
   const float* fine;
@@ -29,6 +36,9 @@ struct EdgeView {
 
 // Of the preparation; all instruction sets give the same bits.
 struct PreparationKernels {
+  // Rows [begin, end) of the gray image, and of its half.
+  void (*gray)(const GrayView& view, int begin, int end);
+  void (*halve_gray)(const GrayView& view, int begin, int end);
   // Rows [begin, end) of the coarser image.
   void (*halve_intensity)(const HalvedView& view, int begin, int end);
   void (*halve_depth)(const HalvedView& view, int begin, int end);
