@@ -287,7 +287,11 @@ void KeyframeTracker::MakeKeyframe(const Given& given, TrackedFrame* result) {
                          content,
                          {}});
   keyframes_.push_back({id, {}, {}, world_from_camera_, result->covariance});
-  keyframes_.back().frame = given.movable ? std::move(*given.movable) : frame;
+  if (given.movable) {
+    keyframes_.back().frame = std::move(*given.movable);
+  } else {
+    keyframes_.back().frame = frame;
+  }
   result->new_keyframe = true;
   if (id == 0) {
     time_s_ = result->time_s;

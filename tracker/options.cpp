@@ -118,7 +118,7 @@ TrackerOptions FastPreset() {
   TrackerOptions options = AccuratePreset();
   options.alignment.max_iterations = {0, 5, 10, 20};
   options.alignment.min_update_norm = 5e-5;
-  options.alignment.scale_rounds = 1;
+  options.alignment.scale_rounds = 2;
   options.keyframes.joint = 1;
   return options;
 }

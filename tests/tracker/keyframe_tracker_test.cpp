@@ -71,6 +71,16 @@ TEST(KeyframeTracker, TheFirstFrameIsTheFirstKeyframe) {
   EXPECT_EQ(tracker.keyframes()[0].frame.time_s, 1.5);
 }
 
+TEST(KeyframeTracker, AFrameThatIsGivenAwayIsNotCopied) {
+  KeyframeTracker tracker(kSmallCamera, PaperPreset(), MakeCpuBackend(), nullptr);
+  Frame frame = RoomFrame(kStart), next = frame;
+  const float* const depth_m = frame.depth_m.data();
+  tracker.Track(std::move(frame));
+  EXPECT_EQ(tracker.keyframes()[0].frame.depth_m.data(), depth_m);
+  tracker.Track(std::move(next));
+  EXPECT_FALSE(next.depth_m.empty());  // NOLINT(bugprone-use-after-move): it is no keyframe
+}
+
 TEST(KeyframeTracker, FollowsAWalkFromKeyframeToKeyframe) {
   KeyframeTracker tracker = MakeTracker();
   int keyframes = 0;
