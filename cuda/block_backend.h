@@ -35,7 +35,10 @@ class BlockBackend : public tracker::Backend {
       const tracker::PyramidOptions& options) const override {
     SILT_CHECK(intensity.width() == camera.width && intensity.height() == camera.height);
     SILT_CHECK(depth_m.width() == camera.width && depth_m.height() == camera.height);
-    return std::make_unique<Reference>(imaging_, intensity, depth_m, camera, options);
+    return std::make_unique<Reference>(
+        imaging_,
+        imaging_.template Halvings<HalveIntensity>(imaging_.Upload(intensity), options.levels),
+        Depths(depth_m, options), camera);
   }
 
   std::unique_ptr<tracker::CurrentPyramid> MakeCurrent(
@@ -43,7 +46,26 @@ class BlockBackend : public tracker::Backend {
       const tracker::PyramidOptions& options) const override {
     SILT_CHECK(depth_m.empty() ||
                (depth_m.width() == intensity.width() && depth_m.height() == intensity.height()));
-    return std::make_unique<Current>(imaging_, intensity, depth_m, options);
+    return std::make_unique<Current>(imaging_, imaging_.Upload(intensity), depth_m, options);
+  }
+
+  std::unique_ptr<tracker::CurrentPyramid> MakeCurrentOfColour(
+      const Image<Rgb8>& rgb, const Image<float>& depth_m,
+      const tracker::PyramidOptions& options) const override {
+    SILT_CHECK(depth_m.empty() ||
+               (depth_m.width() == rgb.width() && depth_m.height() == rgb.height()));
+    return std::make_unique<Current>(imaging_, imaging_.Gray(rgb), depth_m, options);
+  }
+
+  // What the current image has stays where it is.
+  std::unique_ptr<tracker::ReferencePyramid> MakeReferenceOfCurrent(
+      const tracker::CurrentPyramid& image, const Image<float>& depth_m,
+      const PinholeCamera& camera, const tracker::PyramidOptions& options) const override {
+    SILT_CHECK(depth_m.width() == camera.width && depth_m.height() == camera.height);
+    const auto& current = dynamic_cast<const Current&>(image);
+    return std::make_unique<Reference>(
+        imaging_, current.whole_intensity,
+        current.has_depth() ? current.kept_m : Depths(depth_m, options), camera);
   }
 
   std::unique_ptr<tracker::ReferencePyramid> WithoutHidden(
@@ -92,6 +114,12 @@ class BlockBackend : public tracker::Backend {
   using Picture = BlockImage<Machine>;
   using Pyramid = typename BlockImaging<Machine>::Pyramid;
   using Doubles = typename Machine::template Array<double>;
+
+  Pyramid Depths(const Image<float>& depth_m, const tracker::PyramidOptions& options) const {
+    return imaging_.WithoutEdges(
+        imaging_.template Halvings<HalveDepth>(imaging_.Upload(depth_m), options.levels),
+        options.depth_edge_margin_px);
+  }
 
   static kernel::Warp<float> WarpOf(const PinholeCamera& camera, const SE3d& pose) {
     return kernel::Warp<float>(kernel::Warp<double>(pose, camera));

@@ -41,6 +41,14 @@ class BlockImaging {
     return picture;
   }
 
+  Picture Gray(const Image<Rgb8>& rgb) const {
+    typename Machine::template Array<Rgb8> colors(machine_, rgb.size());
+    machine_.Upload(rgb.data(), colors);
+    Picture gray(machine_, rgb.width(), rgb.height());
+    Each(gray.size(), ConvertToGray{colors.data(), gray.data()});
+    return gray;
+  }
+
   template <typename Halve>
   Pyramid Halvings(Picture finest, int levels) const {
     Pyramid pyramid{std::move(finest)};
@@ -104,19 +112,44 @@ class BlockImaging {
   const Machine& machine_;
 };
 
+// An intensity beside a depth edge is NaN, so that nothing is compared with it.
+template <typename Machine>
+class BlockCurrent : public tracker::CurrentPyramid {
+ public:
+  using Picture = BlockImage<Machine>;
+  using Pyramid = typename BlockImaging<Machine>::Pyramid;
+
+  BlockCurrent(const BlockImaging<Machine>& imaging, Picture finest_intensity,
+               const Image<float>& finest_depth_m, const tracker::PyramidOptions& options)
+      : whole_intensity(
+            imaging.template Halvings<HalveIntensity>(std::move(finest_intensity), options.levels)),
+        intensity(whole_intensity) {
+    has_depth_ = !finest_depth_m.empty();
+    if (!has_depth_) return;
+    depth_m = imaging.template Halvings<HalveDepth>(imaging.Upload(finest_depth_m), options.levels);
+    kept_m = imaging.WithoutEdges(depth_m, options.depth_edge_margin_px);
+    for (std::size_t level = 0; level < intensity.size(); ++level) {
+      if (options.inverse_depth) inverse_depth.push_back(imaging.Inverse(kept_m[level]));
+      if (options.depth_edge_margin_px == 0) continue;
+      intensity[level] = imaging.ClearedIntensity(intensity[level], depth_m[level], kept_m[level]);
+    }
+  }
+
+  const Pyramid whole_intensity;
+  Pyramid intensity;
+  Pyramid depth_m, kept_m;  // all, and without the edges; empty without a depth
+  Pyramid inverse_depth;    // without the edges; empty unless asked for
+};
+
 template <typename Machine>
 class BlockReference : public tracker::ReferencePyramid {
  public:
   using Pyramid = typename BlockImaging<Machine>::Pyramid;
 
-  BlockReference(const BlockImaging<Machine>& imaging, const Image<float>& finest_intensity,
-                 const Image<float>& finest_depth_m, PinholeCamera camera,
-                 const tracker::PyramidOptions& options)
-      : intensity(imaging.template Halvings<HalveIntensity>(imaging.Upload(finest_intensity),
-                                                            options.levels)),
-        depth_m(imaging.WithoutEdges(
-            imaging.template Halvings<HalveDepth>(imaging.Upload(finest_depth_m), options.levels),
-            options.depth_edge_margin_px)) {
+  // The depths without their edges.
+  BlockReference(const BlockImaging<Machine>& imaging, Pyramid intensities, Pyramid depths_m,
+                 PinholeCamera camera)
+      : intensity(std::move(intensities)), depth_m(std::move(depths_m)) {
     for (const auto& depth : depth_m) {
       levels_.push_back({camera, imaging.Measured(depth)});
       camera = camera.Halved();
@@ -130,32 +163,6 @@ class BlockReference : public tracker::ReferencePyramid {
   }
 
   const Pyramid intensity, depth_m;
-};
-
-// An intensity beside a depth edge is NaN, so that nothing is compared with it.
-template <typename Machine>
-class BlockCurrent : public tracker::CurrentPyramid {
- public:
-  using Pyramid = typename BlockImaging<Machine>::Pyramid;
-
-  BlockCurrent(const BlockImaging<Machine>& imaging, const Image<float>& finest_intensity,
-               const Image<float>& finest_depth_m, const tracker::PyramidOptions& options)
-      : intensity(imaging.template Halvings<HalveIntensity>(imaging.Upload(finest_intensity),
-                                                            options.levels)) {
-    has_depth_ = !finest_depth_m.empty();
-    if (!has_depth_) return;
-    depth_m = imaging.template Halvings<HalveDepth>(imaging.Upload(finest_depth_m), options.levels);
-    const Pyramid kept = imaging.WithoutEdges(depth_m, options.depth_edge_margin_px);
-    for (std::size_t level = 0; level < intensity.size(); ++level) {
-      if (options.inverse_depth) inverse_depth.push_back(imaging.Inverse(kept[level]));
-      if (options.depth_edge_margin_px == 0) continue;
-      intensity[level] = imaging.ClearedIntensity(intensity[level], depth_m[level], kept[level]);
-    }
-  }
-
-  Pyramid intensity;
-  Pyramid depth_m;        // empty without a depth
-  Pyramid inverse_depth;  // without the edges; empty unless asked for
 };
 
 }  // namespace silt::cuda

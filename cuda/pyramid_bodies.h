@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "silt/core/color.h"
 #include "silt/core/pyramid_block.h"
 #include "silt/cuda/block.h"
 #include "silt/tracker/kernel/depth_edge.h"
@@ -13,6 +14,16 @@
 namespace silt::cuda {
 
 inline constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+// GrayFromRgb of core/color.h, bit by bit.
+struct ConvertToGray {
+  const Rgb8* rgb;
+  float* gray;
+
+  SILT_HOST_DEVICE void operator()(int i) const {
+    gray[i] = Luma(float(rgb[i].r), float(rgb[i].g), float(rgb[i].b)) / 255.0f;
+  }
+};
 
 struct HalveIntensity {
   const float* fine;

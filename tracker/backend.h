@@ -102,6 +102,14 @@ class Backend {
                                                               const PyramidOptions& options) const {
     return MakeCurrent(GrayFromRgb(rgb), depth_m, options);
   }
+  // A keyframe of an image that was current, with its depth, which it may not have had before, for
+  // the same options; nothing where that is no less work than making it anew.
+  virtual std::unique_ptr<ReferencePyramid> MakeReferenceOfCurrent(const CurrentPyramid&,
+                                                                   const Image<float>& /*depth_m*/,
+                                                                   const PinholeCamera&,
+                                                                   const PyramidOptions&) const {
+    return nullptr;
+  }
 
   // The keyframe as the current camera sees it: its pixels whose points are hidden there have no
   // depth. Where the current image has a depth, that tells what is hidden, and the result serves

@@ -57,6 +57,7 @@ TrackedFrame KeyframeTracker::TrackGiven(const Given& given,
   result.time_s = frame.time_s;
   {
     const Stopwatch total(&result.times.total_ms);
+    current_.reset();
     // The first frame is the first keyframe; later ones are aligned with the nearest keyframe.
     if (!keyframes_.empty()) {
       const SE3d expected = expected_world_from_camera.value_or(Predicted(frame.time_s));
@@ -64,6 +65,7 @@ TrackedFrame KeyframeTracker::TrackGiven(const Given& given,
       Localize(frame, expected, &result);
     }
     if (NeedsNewKeyframe(result)) MakeKeyframe(given, &result);
+    current_.reset();
   }
   result.world_from_camera = world_from_camera_;
   ++frame_index_;
@@ -84,7 +86,7 @@ void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, Tracked
            expected);
   const Keyframe& keyframe = keyframes_[nearest.front()];
   result->keyframe_id = keyframe.id;
-  const std::unique_ptr<CurrentPyramid> current = MakeCurrent(frame, result);
+  const auto current = current_ = MakeCurrent(frame, result);
   // Initial T_cr (§3.2), then its refinement (§3.3).
   const SE3d start = expected.Inverse() * keyframe.world_from_camera;
   if (options_.always_initialize) Initialize(keyframe.id, start, frame, result);
@@ -218,13 +220,22 @@ void KeyframeTracker::MakeIntensities(int keyframe, const Frame& frame, TrackedF
   gray_frame_index_ = frame_index_;
 }
 
-std::unique_ptr<CurrentPyramid> KeyframeTracker::MakeCurrent(const Frame& frame,
-                                                             TrackedFrame* result) const {
+std::shared_ptr<const CurrentPyramid> KeyframeTracker::MakeCurrent(const Frame& frame,
+                                                                   TrackedFrame* result) const {
   const Stopwatch watch(&result->times.pyramid_ms);
   const AlignmentOptions& alignment = options_.alignment;
   const Image<float> none;
   return backend_->MakeCurrentOfColour(
       frame.rgb, alignment.use_current_depth ? frame.depth_m : none, alignment.Pyramids());
+}
+
+std::unique_ptr<ReferencePyramid> KeyframeTracker::MakeReference(const Frame& frame) const {
+  const PyramidOptions pyramids = options_.alignment.Pyramids();
+  if (current_) {
+    auto made = backend_->MakeReferenceOfCurrent(*current_, frame.depth_m, camera_, pyramids);
+    if (made) return made;
+  }
+  return backend_->MakeReferenceOfColour(frame.rgb, frame.depth_m, camera_, pyramids);
 }
 
 void KeyframeTracker::Refine(const std::vector<int>& nearest, const CurrentPyramid& current,
@@ -282,10 +293,7 @@ void KeyframeTracker::MakeKeyframe(const Given& given, TrackedFrame* result) {
     return;
   }
   const int id = int(keyframes_.size());
-  references_.push_back({backend_->MakeReferenceOfColour(frame.rgb, frame.depth_m, camera_,
-                                                         options_.alignment.Pyramids()),
-                         content,
-                         {}});
+  references_.push_back({MakeReference(frame), content, {}});
   keyframes_.push_back({id, {}, {}, world_from_camera_, result->covariance});
   if (given.movable) {
     keyframes_.back().frame = std::move(*given.movable);

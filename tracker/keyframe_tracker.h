@@ -93,7 +93,8 @@ class KeyframeTracker {
   SE3d Predicted(double time_s) const;
   bool Initialize(int keyframe, const SE3d& expected, const Frame& frame, TrackedFrame* result);
   void MakeIntensities(int keyframe, const Frame& frame, TrackedFrame* result);
-  std::unique_ptr<CurrentPyramid> MakeCurrent(const Frame& frame, TrackedFrame* result) const;
+  std::shared_ptr<const CurrentPyramid> MakeCurrent(const Frame& frame, TrackedFrame* result) const;
+  std::unique_ptr<ReferencePyramid> MakeReference(const Frame& frame) const;
   void Refine(const std::vector<int>& nearest, const CurrentPyramid& current, const SE3d& initial,
               TrackedFrame* result);
   void Relocalize(const Frame& frame, const CurrentPyramid& current, const SE3d& expected,
@@ -111,8 +112,9 @@ class KeyframeTracker {
   TrackerOptions options_;
   std::shared_ptr<const Backend> backend_;
   std::unique_ptr<Initializer> initializer_;
-  Image<float> gray_;          // in [0, 1], for the initializer
-  int gray_frame_index_ = -1;  // of the frame that it is of
+  Image<float> gray_;                              // in [0, 1], for the initializer
+  int gray_frame_index_ = -1;                      // of the frame that it is of
+  std::shared_ptr<const CurrentPyramid> current_;  // of the frame that is being tracked
   std::vector<Keyframe> keyframes_;
   std::vector<Reference> references_;  // of keyframes_
   SE3d world_from_camera_;             // of the last tracked frame

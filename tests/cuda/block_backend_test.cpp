@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "silt/core/color.h"
 #include "silt/tracker/alignment.h"
 #include "wavy_wall.h"
 
@@ -130,6 +131,38 @@ TEST_P(BlockBackendOn, AlignsAsTheCpu) {
     EXPECT_LT(Norm(apart.omega), 1e-6);
     EXPECT_LT(Norm(apart.v), apart_m);
     EXPECT_LT(Norm((aligned.current_from_reference * kPose.Inverse()).Log().v), error_m);
+  }
+}
+
+// From a tracker's frames: colours converted by the backend, and a keyframe of what was current.
+TEST_P(BlockBackendOn, ColoursAndKeyframesOfThemAreTheCpus) {
+  const Pictures pictures = Scene(kPose);
+  Image<Rgb8> rgb(kCamera.width, kCamera.height);
+  for (int y = 0; y < rgb.height(); ++y) {
+    for (int x = 0; x < rgb.width(); ++x) {
+      const auto value = std::uint8_t(255 * pictures.intensity(x, y));
+      rgb(x, y) = {value, std::uint8_t(255 - value), std::uint8_t(value / 2)};
+    }
+  }
+  const Image<float> gray = GrayFromRgb(rgb);
+  for (const bool with_depth : {false, true}) {
+    const tracker::PyramidOptions options{kLevels, 2, true};
+    const Image<float> depth_m = with_depth ? pictures.depth_m : Image<float>{};
+    const auto current = block_->MakeCurrentOfColour(rgb, depth_m, options);
+    const auto of_gray = block_->MakeCurrent(gray, depth_m, options);
+    ASSERT_TRUE(current);
+    const auto keyframe =
+        block_->MakeReferenceOfCurrent(*current, pictures.depth_m, kCamera, options);
+    const auto made_anew = block_->MakeReference(gray, pictures.depth_m, kCamera, options);
+    ASSERT_TRUE(keyframe);
+    EXPECT_EQ(current->has_depth(), with_depth);
+    for (int level = 0; level < kLevels; ++level) {
+      EXPECT_EQ(keyframe->levels()[level].measured_pixels,
+                made_anew->levels()[level].measured_pixels);
+      const SE3d pose = SE3d::Exp({{0.01, 0, 0}, {0, 0.01, 0}});
+      EXPECT_EQ(block_->Linearize({*keyframe, *current}, level, pose, Robust(with_depth)),
+                block_->Linearize({*made_anew, *of_gray}, level, pose, Robust(with_depth)));
+    }
   }
 }
 
