@@ -3,8 +3,9 @@
 #include "silt/experiments/ablation.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "silt/core/formatted.h"
 
 namespace silt::experiments {
 namespace {
@@ -30,13 +31,6 @@ AblationCell MeanOver(const std::vector<AccuracyRun>& runs, const std::string& s
   mean.ate_aligned_cm /= n;
   mean.ms_per_frame /= n;
   return mean;
-}
-
-template <typename... Values>
-std::string Formatted(const char* format, Values... values) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
 }
 
 std::string FormatRow(const AblationRow& row) {

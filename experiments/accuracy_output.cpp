@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
 #include "silt/core/atomic_file.h"
+#include "silt/core/formatted.h"
 #include "silt/core/io/image_file.h"
 #include "silt/core/pyramid.h"
 #include "silt/experiments/accuracy_report.h"
@@ -21,13 +21,6 @@ namespace silt::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <typename... Values>
-std::string Formatted(const char* format, Values... values) {
-  char text[512];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 std::string Csv(const std::vector<AccuracyRun>& runs) {
   std::string csv =

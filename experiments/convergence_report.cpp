@@ -3,9 +3,10 @@
 #include "silt/experiments/convergence_report.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
+
+#include "silt/core/formatted.h"
 
 namespace silt::experiments {
 namespace {
@@ -19,21 +20,14 @@ std::optional<PaperCosts> PaperLevel(const ConvergenceRun& run, int level) {
   return {};
 }
 
-template <typename... Values>
-std::string Line(const char* format, Values... values) {
-  char text[240];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
 std::string FormatLevels(const ConvergenceRun& run) {
   std::string text;
   for (const tracker::AlignmentLevel& level : run.result.levels) {
     const std::optional<PaperCosts> paper = PaperLevel(run, level.level);
-    text +=
-        Line("  %5d  %4d x %-4d %7d %12.4f %12.4f %9.3f", level.level, level.width, level.height,
-             level.iterations, level.initial_cost.sum, level.final_cost.sum, CostRatio(level));
-    text += paper ? Line(" %9.3f\n", CostRatio(*paper)) : "         -\n";
+    text += Formatted("  %5d  %4d x %-4d %7d %12.4f %12.4f %9.3f", level.level, level.width,
+                      level.height, level.iterations, level.initial_cost.sum, level.final_cost.sum,
+                      CostRatio(level));
+    text += paper ? Formatted(" %9.3f\n", CostRatio(*paper)) : "         -\n";
   }
   return text;
 }
@@ -42,9 +36,9 @@ std::string FormatRun(const ConvergenceRun& run) {
   std::string text = run.scheme + "\n";
   text += "  level         size  solves      initial        final     ratio   paper's\n";
   text += FormatLevels(run);
-  text += Line("  error: %.2f mm, %.3f deg at the start; %.3f mm, %.4f deg at the end\n",
-               1e3 * run.start_error.distance_m, run.start_error.angle_deg,
-               1e3 * run.end_error.distance_m, run.end_error.angle_deg);
+  text += Formatted("  error: %.2f mm, %.3f deg at the start; %.3f mm, %.4f deg at the end\n",
+                    1e3 * run.start_error.distance_m, run.start_error.angle_deg,
+                    1e3 * run.end_error.distance_m, run.end_error.angle_deg);
   if (!run.result.ok) text += "  failed: " + run.result.failure + "\n";
   return text;
 }
@@ -52,9 +46,9 @@ std::string FormatRun(const ConvergenceRun& run) {
 std::string FormatRate(const NamedSuccessRate& rate) {
   const SuccessRate& s = rate.success;
   const Interval interval = WilsonInterval(s.recovered, s.starts);
-  return Line("  %-22s %6.1f cm %6.2f deg %5d of %-5d %4.0f %% (%.0f to %.0f)\n",
-              rate.scheme.c_str(), 100 * s.offset.distance_m, s.offset.angle_deg, s.recovered,
-              s.starts, 100 * s.rate(), 100 * interval.low, 100 * interval.high);
+  return Formatted("  %-22s %6.1f cm %6.2f deg %5d of %-5d %4.0f %% (%.0f to %.0f)\n",
+                   rate.scheme.c_str(), 100 * s.offset.distance_m, s.offset.angle_deg, s.recovered,
+                   s.starts, 100 * s.rate(), 100 * interval.low, 100 * interval.high);
 }
 
 }  // namespace
@@ -107,17 +101,12 @@ Json SuccessRows(const std::vector<NamedSuccessRate>& rates) {
   Json rows = Json::array();
   for (const NamedSuccessRate& rate : rates) {
     const SuccessRate& s = rate.success;
-    const Interval interval = WilsonInterval(s.recovered, s.starts);
-    rows.push_back({{"scheme", rate.scheme},
-                    {"series", rate.series},
-                    {"distance_m", s.offset.distance_m},
-                    {"angle_deg", s.offset.angle_deg},
-                    {"starts", s.starts},
-                    {"recovered", s.recovered},
-                    {"rate", s.rate()},
-                    {"rate_low", interval.low},
-                    {"rate_high", interval.high},
-                    {"median_solves", s.median_solves}});
+    Json row{{"scheme", rate.scheme},
+             {"series", rate.series},
+             {"distance_m", s.offset.distance_m},
+             {"angle_deg", s.offset.angle_deg}};
+    row.update(ToJson(s));
+    rows.push_back(std::move(row));
   }
   return rows;
 }
@@ -129,8 +118,8 @@ std::string FormatConvergence(const std::vector<ConvergenceRun>& runs,
       "The paper's costs are of other pictures: compare the ratios initial / final.\n\n";
   for (const ConvergenceRun& run : runs) text += FormatRun(run) + "\n";
   if (rates.empty()) return text;
-  text += Line("Recovered to %.0f mm and %.1f deg from random starts (95 %% interval):\n",
-               1e3 * kRecovered.distance_m, kRecovered.angle_deg);
+  text += Formatted("Recovered to %.0f mm and %.1f deg from random starts (95 %% interval):\n",
+                    1e3 * kRecovered.distance_m, kRecovered.angle_deg);
   std::string series;
   for (const NamedSuccessRate& rate : rates) {
     if (rate.series != series) text += rate.series + "\n";

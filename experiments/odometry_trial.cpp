@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "silt/core/formatted.h"
 #include "silt/core/pyramid.h"
 #include "silt/core/random.h"
 #include "silt/experiments/interrupt.h"
@@ -53,13 +53,6 @@ void FillHole(const Frame& warped, int x, int y, Frame* filled) {
   filled->depth_m(x, y) = depth.Middle();
   filled->rgb(x, y) = {std::uint8_t(red.Middle()), std::uint8_t(green.Middle()),
                        std::uint8_t(blue.Middle())};
-}
-
-template <typename... Values>
-std::string Line(const char* format, Values... values) {
-  char text[240];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
 }
 
 }  // namespace
@@ -157,9 +150,10 @@ std::string FormatTrials(const std::vector<OdometryTrial>& trials) {
       "  preset    current   motions  below motion  < 4e-3  < 1e-4 (rad and m)  worst rad, m\n";
   for (const OdometryTrial& trial : trials) {
     const TrialError worst = trial.Worst();
-    text += Line("  %-9s %-9s %7zu %13d %7d %7d %23.1e %.1e\n", trial.preset.c_str(),
-                 trial.current.c_str(), trial.errors.size(), trial.BelowMotion(),
-                 trial.Below(4e-3, 4e-3), trial.Below(1e-4, 1e-4), worst.error_rad, worst.error_m);
+    text +=
+        Formatted("  %-9s %-9s %7zu %13d %7d %7d %23.1e %.1e\n", trial.preset.c_str(),
+                  trial.current.c_str(), trial.errors.size(), trial.BelowMotion(),
+                  trial.Below(4e-3, 4e-3), trial.Below(1e-4, 1e-4), worst.error_rad, worst.error_m);
   }
   return text;
 }

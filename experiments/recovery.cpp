@@ -3,12 +3,12 @@
 #include "silt/experiments/recovery.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "silt/core/color.h"
+#include "silt/core/formatted.h"
 #include "silt/core/pyramid.h"
 #include "silt/experiments/interrupt.h"
 #include "silt/experiments/progress.h"
@@ -89,13 +89,6 @@ class ReadyPairs {
   std::vector<Image<float>> currents_;
 };
 
-template <typename... Values>
-std::string Line(const char* format, Values... values) {
-  char text[240];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
 Statistics DepthsOf(const FramePair& pair) {
   std::vector<double> depths;
   for (const float z : pair.reference.depth_m) {
@@ -107,8 +100,8 @@ Statistics DepthsOf(const FramePair& pair) {
 }  // namespace
 
 std::string RecoverySet::Name() const {
-  return Line("%s %.0f cm and %.0f deg", up_to ? "up to" : "at", 100 * bound.distance_m,
-              bound.angle_deg);
+  return Formatted("%s %.0f cm and %.0f deg", up_to ? "up to" : "at", 100 * bound.distance_m,
+                   bound.angle_deg);
 }
 
 std::vector<Recovery> MeasureRecovery(const std::vector<FramePair>& pairs,
@@ -135,21 +128,15 @@ std::vector<Recovery> MeasureRecovery(const std::vector<FramePair>& pairs,
 Json RecoveryRows(const std::vector<Recovery>& recoveries) {
   Json rows = Json::array();
   for (const Recovery& recovery : recoveries) {
-    const SuccessRate& s = recovery.success;
-    const Interval interval = WilsonInterval(s.recovered, s.starts);
-    rows.push_back({{"preset", recovery.preset},
-                    {"scheme", recovery.scheme},
-                    {"set", recovery.set.Name()},
-                    {"distance_m", recovery.set.bound.distance_m},
-                    {"angle_deg", recovery.set.bound.angle_deg},
-                    {"up_to", recovery.set.up_to},
-                    {"aim", recovery.set.aim},
-                    {"starts", s.starts},
-                    {"recovered", s.recovered},
-                    {"rate", s.rate()},
-                    {"rate_low", interval.low},
-                    {"rate_high", interval.high},
-                    {"median_solves", s.median_solves}});
+    Json row{{"preset", recovery.preset},
+             {"scheme", recovery.scheme},
+             {"set", recovery.set.Name()},
+             {"distance_m", recovery.set.bound.distance_m},
+             {"angle_deg", recovery.set.bound.angle_deg},
+             {"up_to", recovery.set.up_to},
+             {"aim", recovery.set.aim}};
+    row.update(ToJson(recovery.success));
+    rows.push_back(std::move(row));
   }
   return rows;
 }
@@ -178,17 +165,19 @@ std::string FormatRecovery(const std::vector<Recovery>& recoveries,
   for (const FramePair& pair : pairs) {
     const Statistics depth = DepthsOf(pair);
     const PoseDifference motion = Difference(pair.current_from_reference, SE3d{});
-    text += Line("  %11.2f  %8.2f %6.2f  %12.3f %7.3f %7.3f\n", pair.reference.time_s,
-                 100 * motion.distance_m, motion.angle_deg, depth.min, depth.median, depth.max);
+    text +=
+        Formatted("  %11.2f  %8.2f %6.2f  %12.3f %7.3f %7.3f\n", pair.reference.time_s,
+                  100 * motion.distance_m, motion.angle_deg, depth.min, depth.median, depth.max);
   }
-  text += Line("Recovered to %.0f mm and %.1f deg (95 %% interval):\n", 1e3 * kRecovered.distance_m,
-               kRecovered.angle_deg);
+  text += Formatted("Recovered to %.0f mm and %.1f deg (95 %% interval):\n",
+                    1e3 * kRecovered.distance_m, kRecovered.angle_deg);
   for (const Recovery& recovery : recoveries) {
     const SuccessRate& s = recovery.success;
     const Interval interval = WilsonInterval(s.recovered, s.starts);
-    text += Line("  %-9s %-12s %-22s %5d of %-5d %5.1f %% (%.1f to %.1f)\n",
-                 recovery.preset.c_str(), recovery.scheme.c_str(), recovery.set.Name().c_str(),
-                 s.recovered, s.starts, 100 * s.rate(), 100 * interval.low, 100 * interval.high);
+    text +=
+        Formatted("  %-9s %-12s %-22s %5d of %-5d %5.1f %% (%.1f to %.1f)\n",
+                  recovery.preset.c_str(), recovery.scheme.c_str(), recovery.set.Name().c_str(),
+                  s.recovered, s.starts, 100 * s.rate(), 100 * interval.low, 100 * interval.high);
   }
   return text;
 }

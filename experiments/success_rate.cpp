@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "silt/core/random.h"
 #include "silt/experiments/statistics.h"
@@ -46,6 +47,13 @@ Interval WilsonInterval(int successes, int trials) {
   const double centre = (p + z * z / (2 * n)) / (1 + z * z / n);
   const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
   return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
+}
+
+Json ToJson(const SuccessRate& success) {
+  const Interval interval = WilsonInterval(success.recovered, success.starts);
+  return {{"starts", success.starts},   {"recovered", success.recovered},
+          {"rate", success.rate()},     {"rate_low", interval.low},
+          {"rate_high", interval.high}, {"median_solves", success.median_solves}};
 }
 
 PoseDifference RandomStarts::OffsetOf(int index) const {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "silt/experiments/json.h"
 #include "silt/experiments/pair_alignment.h"
 #include "silt/experiments/pose_difference.h"
 #include "silt/tracker/options.h"
@@ -32,6 +33,8 @@ struct Interval {
   double low = 0, high = 1;
 };
 Interval WilsonInterval(int successes, int trials);
+// The counts, the rate with its interval, and the solves.
+Json ToJson(const SuccessRate& success);
 
 struct RandomStarts {
   PoseDifference offset;

@@ -52,6 +52,13 @@ std::vector<float> GatherWidths(const std::vector<SurfaceSample>& samples,
   return widths;
 }
 
+void NarrowBy(const std::vector<Gathered>& near, float finest_m, std::vector<float>& width_m) {
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const float most = kShareOfDistance * near[i].distance_m;
+    while (width_m[i] > finest_m && width_m[i] > most) width_m[i] /= 2;
+  }
+}
+
 std::vector<Vec3f> Interpolated(const std::vector<SurfaceSample>& samples,
                                 const SampleClusters& clusters, const std::vector<float>& width_m,
                                 const std::vector<Gathered>& gathered) {

@@ -17,6 +17,9 @@ std::vector<float> GatherWidths(const std::vector<SurfaceSample>& samples,
                                 const std::vector<float>& leader_distance_m, float finest_m,
                                 float widest_m);
 
+// The same where more is known: what each sample itself sees nearby.
+void NarrowBy(const std::vector<Gathered>& near, float finest_m, std::vector<float>& width_m);
+
 // Light at all samples from that gathered at the leaders: a weighted mean of the leaders within
 // one and a half widths that lie in the sample's plane and face alike. Buried ones do not count.
 std::vector<Vec3f> Interpolated(const std::vector<SurfaceSample>& samples,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "silt/core/atomic_file.h"
+#include "silt/core/parallel.h"
 #include "silt/sim/content_hash.h"
 
 namespace silt::sim {
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Rises with every change of what SolveLight or SurfaceGrid compute.
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr std::size_t kDigestSize = 32;
 constexpr std::string_view kPrefix = "light-";
 constexpr std::size_t kEntries = 8;  // of some 35 MB for a furnished room
@@ -39,10 +40,10 @@ void AddMaterials(const Scene& scene, ContentHash& hash) {
     hash.AddBytes(&m.diffuse, sizeof(m.diffuse)).AddBytes(&m.emission, sizeof(m.emission));
     hash.Add(m.two_sided).Add(m.cutout).Add(m.texture);
   }
-  for (const Texture& texture : scene.textures) {
-    const Image<Rgba8>& picture = texture.level(0);
-    hash.Add(picture.width()).AddBytes(picture.data(), picture.size() * sizeof(Rgba8));
-  }
+  std::vector<std::string> digests(scene.textures.size());
+  ParallelFor(int(digests.size()),
+              [&](int i) { digests[std::size_t(i)] = scene.textures[std::size_t(i)].Digest(); });
+  for (const std::string& digest : digests) hash.AddBytes(digest.data(), digest.size());
 }
 
 void AddEnvironment(const Scene& scene, ContentHash& hash) {
@@ -82,6 +83,8 @@ std::optional<fs::path> LightCacheFile(const Scene& scene, const LightingOptions
   hash.Add(options.bounce_spacing_m).Add(options.light_points);
   hash.Add(options.environment_directions)
       .Add(options.gather_directions)
+      .Add(options.gather_rounds)
+      .Add(options.gather_tolerance)
       .Add(options.bounce_directions)
       .Add(options.bounces);
   hash.Add(options.seed);

@@ -23,6 +23,7 @@ constexpr double kDirectDone = 0.3, kBouncesDone = 0.5;
 // After so many passes the rest of the series of reflections is extrapolated.
 constexpr int kExtrapolateAfter = 3;
 constexpr float kFillInSpacings = 2.5f;
+constexpr int kLookingDirections = kPacketSize;
 
 struct ProgressRange {
   double from, to;
@@ -158,30 +159,56 @@ class LightSolver {
     for (const double nearness : nearness_[front]) {
       distance_m.push_back(nearness > 0 ? float(1 / nearness) : 1e30f);
     }
-    const std::vector<float> widths = GatherWidths(
+    const std::vector<Gathered> near = LookAround(front);
+    std::vector<float> widths = GatherWidths(
         samples_, coarse, distance_m, options_.direct_spacing_m, options_.indirect_spacing_m);
+    NarrowBy(near, options_.direct_spacing_m, widths);
     const SampleClusters fine = ClusterSamples(samples_, widths);
     const double middle = (1 + kBouncesDone) / 2;
-    const std::vector<Gathered> gathered =
+    std::vector<Gathered> gathered =
         Gather(front, sent, fine.leaders,
-               {options_.gather_directions, 0,
-                front ? ProgressRange{kBouncesDone, middle} : ProgressRange{middle, 1}});
+               {options_.gather_directions,
+                0,
+                front ? ProgressRange{kBouncesDone, middle} : ProgressRange{middle, 1},
+                {options_.gather_rounds, options_.gather_tolerance},
+                &direct});
+    for (std::size_t i = 0; i < gathered.size(); ++i) {
+      gathered[i].buried = gathered[i].buried || near[fine.leaders[i]].buried;
+    }
     indirect.side(front) = Interpolated(samples_, fine, widths, gathered);
     std::vector<bool> buried;
-    for (const std::uint32_t leader : fine.leader_of) buried.push_back(gathered[leader].buried);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      buried.push_back(near[i].buried || gathered[fine.leader_of[i]].buried);
+    }
     const float radius_m = kFillInSpacings * options_.direct_spacing_m;
     FillBuried(samples_, buried, radius_m, direct.side(front));
     FillBuried(samples_, buried, radius_m, indirect.side(front));
+  }
+
+  // How far things are from each sample, by few rays: those of all bakes, whatever their seed.
+  std::vector<Gathered> LookAround(bool front) const {
+    const IndirectLight light(scene_, tracer_, kLookingDirections, 0);
+    std::vector<Gathered> near(samples_.size());
+    ForSamples(samples_.size(), {}, {0, 1}, [&](std::size_t i) {
+      const SurfaceSample& sample = samples_[i];
+      near[i] = light.Gather(sample.position, front ? sample.normal : -sample.normal,
+                             2 * std::uint64_t(i) + (front ? 0 : 1),
+                             [](const TriangleHit&, const Vec3f&) { return Vec3f{}; });
+    });
+    return near;
   }
 
   struct GatherPlan {
     int directions;
     std::uint64_t pass;
     ProgressRange range;
+    IndirectLight::Rounds rounds = {1, 0};
+    const StoredLight* known = nullptr;
   };
   std::vector<Gathered> Gather(bool front, const StoredLight& sent,
                                const std::vector<std::uint32_t>& at, const GatherPlan& plan) const {
-    const IndirectLight light(scene_, tracer_, plan.directions, options_.seed * 64 + plan.pass);
+    const IndirectLight light(scene_, tracer_, plan.directions, options_.seed * 64 + plan.pass,
+                              plan.rounds);
     const SurfaceRadiance radiance = [&](const TriangleHit& hit, const Vec3f&) {
       return sent.At(grid_.Locate(hit.triangle, hit.u, hit.v), hit.front);
     };
@@ -189,7 +216,8 @@ class LightSolver {
     ForSamples(at.size(), options_, plan.range, [&](std::size_t i) {
       const SurfaceSample& sample = samples_[at[i]];
       gathered[i] = light.Gather(sample.position, front ? sample.normal : -sample.normal,
-                                 2 * std::uint64_t(at[i]) + (front ? 0 : 1), radiance);
+                                 2 * std::uint64_t(at[i]) + (front ? 0 : 1), radiance,
+                                 plan.known ? plan.known->side(front)[at[i]] : Vec3f{});
     });
     return gathered;
   }

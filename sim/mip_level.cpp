@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "silt/core/color.h"
+#include "silt/sim/content_hash.h"
 
 namespace silt::sim {
 namespace {
@@ -137,6 +138,14 @@ void MipLevel::FillInvisible(const MipLevel& coarse) {
     }
   }
   RepeatFirst();
+}
+
+std::string MipLevel::Digest() const {
+  return ContentHash()
+      .Add(width_)
+      .Add(height_)
+      .AddBytes(texels_.data(), texels_.size() * sizeof(Texel))
+      .Digest();
 }
 
 Image<Rgba8> MipLevel::Encoded() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "silt/core/image.h"
 #include "silt/sim/float4.h"
@@ -38,6 +39,7 @@ class MipLevel {
   const Texel& at(int x, int y) const { return texels_[Index(x, y)]; }
   // The texel as a picture file would hold it.
   Image<Rgba8> Encoded() const;
+  std::string Digest() const;  // of the size and all texels
 
   // Where a value between four texels is read.
   struct Place {

@@ -9,6 +9,9 @@ namespace silt::sim {
 
 namespace {
 
+// Of numbers without a key: no normal is so long.
+constexpr SampleIndex::Key kNoKey{0, 0, 0, 1 << 30, 1 << 30, 1 << 30};
+
 std::uint64_t Hash(const SampleIndex::Key& key) {
   std::uint64_t hash = 0;
   for (const std::int32_t k : key) {
@@ -53,9 +56,15 @@ std::uint32_t SampleIndex::NumberOf(const Key& key) {
   return std::uint32_t(keys_.size() - 1);
 }
 
+std::uint32_t SampleIndex::NewNumber() {
+  keys_.push_back(kNoKey);
+  return std::uint32_t(keys_.size() - 1);
+}
+
 void SampleIndex::Rehash(std::size_t slots) {
   slots_.assign(slots, Slot{});
   for (std::size_t i = 0; i < keys_.size(); ++i) {
+    if (keys_[i] == kNoKey) continue;
     SlotOf(keys_[i]).number = std::uint32_t(i);
   }
 }

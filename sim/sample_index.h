@@ -20,6 +20,8 @@ class SampleIndex {
 
   // The number of a key. It is new if it equals the size() before.
   std::uint32_t NumberOf(const Key& key);
+  // The next number, for a sample that no other equals: quicker, and no key has it.
+  std::uint32_t NewNumber();
   std::size_t size() const { return keys_.size(); }
 
  private:

@@ -102,13 +102,14 @@ std::uint32_t SurfaceGridBuilder::Sample(std::uint32_t triangle, const Corners& 
   const SampleIndex::Key key{cell(position.x, 16e3f), cell(position.y, 16e3f),
                              cell(position.z, 16e3f), cell(normal.x, 32),
                              cell(normal.y, 32),      cell(normal.z, 32)};
-  const std::uint32_t number = known_.NumberOf(key);
+  const bool rim = w.x <= 0 || w.y <= 0 || w.z <= 0;
+  // What lies within a triangle is no other's.
+  const std::uint32_t number = rim ? known_.NumberOf(key) : known_.NewNumber();
   if (number == grid_.samples_.size()) {
     grid_.samples_.push_back({position, normal});
     grid_.origins_.push_back({triangle, w.y, w.z});
     inward_.push_back({});
   }
-  const bool rim = w.x <= 0 || w.y <= 0 || w.z <= 0;
   if (rim) {
     const Vec3f way = c.center - position;
     const float length = Norm(way);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "silt/core/image.h"
@@ -24,6 +25,8 @@ class Texture {
   int level_count() const { return int(levels_.size()); }
   // As a picture file would hold it.
   Image<Rgba8> level(int i) const { return levels_[std::size_t(i)].Encoded(); }
+  // Tells pictures apart: 32 hexadecimal digits.
+  std::string Digest() const { return levels_.front().Digest(); }
 
   // Linear colour in [0, 1], trilinear. `lod` is log2 of the footprint's width in texels of level
   // 0: 0 and less read the picture itself, more than the last level reads the mean. Non-finite

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "silt/core/io/colmap_sequence.h"
 
-#include <cstdio>
 #include <utility>
 
 #include "silt/core/atomic_file.h"
+#include "silt/core/formatted.h"
 #include "silt/core/io/image_file.h"
 #include "silt/core/pyramid.h"
 
@@ -14,23 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <typename... Values>
-std::string Line(const char* format, Values... values) {
-  char line[512];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
-
 std::string CameraText(const PinholeCamera& c, const LensDistortion& l) {
   if (!l.IsNone()) {
     return "# CAMERA_ID MODEL WIDTH HEIGHT fx fy cx cy k1 k2 p1 p2 k3 k4 k5 k6\n" +
-           Line("1 FULL_OPENCV %d %d %.12g %.12g %.12g %.12g", c.width, c.height, c.fx, c.fy,
-                c.cx + 0.5, c.cy + 0.5) +
-           Line(" %.12g %.12g %.12g %.12g %.12g 0 0 0\n", l.k1, l.k2, l.p1, l.p2, l.k3);
+           Formatted("1 FULL_OPENCV %d %d %.12g %.12g %.12g %.12g", c.width, c.height, c.fx, c.fy,
+                     c.cx + 0.5, c.cy + 0.5) +
+           Formatted(" %.12g %.12g %.12g %.12g %.12g 0 0 0\n", l.k1, l.k2, l.p1, l.p2, l.k3);
   }
   return "# CAMERA_ID MODEL WIDTH HEIGHT fx fy cx cy\n" +
-         Line("1 PINHOLE %d %d %.12g %.12g %.12g %.12g\n", c.width, c.height, c.fx, c.fy,
-              c.cx + 0.5, c.cy + 0.5);
+         Formatted("1 PINHOLE %d %d %.12g %.12g %.12g %.12g\n", c.width, c.height, c.fx, c.fy,
+                   c.cx + 0.5, c.cy + 0.5);
 }
 
 // Two lines: the pose, and the points observed.
@@ -39,16 +32,17 @@ std::string ImageText(int id, const std::string& name, const SE3d& world_from_ca
   const SE3d camera_from_world = world_from_camera.Inverse();
   const Quaterniond& q = camera_from_world.rotation;
   const Vec3d& t = camera_from_world.translation;
-  std::string text = Line("%d %.12g %.12g %.12g %.12g %.12g %.12g %.12g 1 ", id, q.w, q.x, q.y, q.z,
-                          t.x, t.y, t.z) +
+  std::string text = Formatted("%d %.12g %.12g %.12g %.12g %.12g %.12g %.12g 1 ", id, q.w, q.x, q.y,
+                               q.z, t.x, t.y, t.z) +
                      name + "\n";
-  for (const ColmapPoint& o : points) text += Line("%.1f %.1f %lld ", o.x + 0.5, o.y + 0.5, o.id);
+  for (const ColmapPoint& o : points)
+    text += Formatted("%.1f %.1f %lld ", o.x + 0.5, o.y + 0.5, o.id);
   return text + "\n";
 }
 
 std::string PointText(const ColmapPoint& o, int image_id, std::size_t index) {
-  return Line("%lld %.9g %.9g %.9g %d %d %d 0 %d %zu\n", o.id, o.position.x, o.position.y,
-              o.position.z, o.color.r, o.color.g, o.color.b, image_id, index);
+  return Formatted("%lld %.9g %.9g %.9g %d %d %d 0 %d %zu\n", o.id, o.position.x, o.position.y,
+                   o.position.z, o.color.r, o.color.g, o.color.b, image_id, index);
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 
 #include "silt/core/atomic_file.h"
 #include "silt/core/color.h"
 #include "silt/core/error.h"
+#include "silt/core/formatted.h"
 #include "silt/core/io/image_file.h"
 
 namespace silt {
@@ -27,24 +27,17 @@ const char* const kIdentity =
     "         0.0, 0.0, 0.0, 1.0]\n";
 
 // printf into a string; lines here are short.
-template <typename... Values>
-std::string Line(const char* format, Values... values) {
-  char line[512];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
-
 long long Nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
-std::string ImageName(double time_s) { return Line("%019lld.png", Nanoseconds(time_s)); }
+std::string ImageName(double time_s) { return Formatted("%019lld.png", Nanoseconds(time_s)); }
 
 std::string StateLine(double time_s, const ImuState& s) {
   const Vec3d &p = s.world_from_imu.translation, &v = s.velocity;
   const Vec3d &g = s.gyro_bias, &a = s.accelerometer_bias;
   const Quaterniond& q = s.world_from_imu.rotation;
-  return Line("%lld,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f", Nanoseconds(time_s), p.x,
-              p.y, p.z, q.w, q.x, q.y, q.z, v.x, v.y, v.z) +
-         Line(",%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n", g.x, g.y, g.z, a.x, a.y, a.z);
+  return Formatted("%lld,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f", Nanoseconds(time_s),
+                   p.x, p.y, p.z, q.w, q.x, q.y, q.z, v.x, v.y, v.z) +
+         Formatted(",%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n", g.x, g.y, g.z, a.x, a.y, a.z);
 }
 
 // (p(i + 1) − p(i − 1))/(t(i + 1) − t(i − 1)), one-sided at the ends; 0 for a single frame.
@@ -110,7 +103,7 @@ void EurocSequenceWriter::Finish() {
 std::string EurocSequenceWriter::ImageList() const {
   std::string list = "#timestamp [ns],filename\n";
   for (const StampedPose& pose : description_.truth) {
-    list += Line("%lld,", Nanoseconds(pose.time_s)) + ImageName(pose.time_s) + "\n";
+    list += Formatted("%lld,", Nanoseconds(pose.time_s)) + ImageName(pose.time_s) + "\n";
   }
   return list;
 }
@@ -122,12 +115,13 @@ void EurocSequenceWriter::WriteCamera() const {
   WriteFileAtomically(
       mav_ / "cam0/sensor.yaml",
       std::string("sensor_type: camera\ncomment: rendered; the body is the camera\n") + kIdentity +
-          Line("rate_hz: %.9g\nresolution: [%d, %d]\ncamera_model: pinhole\n",
-               FrameRate(description_.truth), c.width, c.height) +
-          Line("intrinsics: [%.9g, %.9g, %.9g, %.9g] #fu, fv, cu, cv\n", c.fx, c.fy, c.cx, c.cy) +
+          Formatted("rate_hz: %.9g\nresolution: [%d, %d]\ncamera_model: pinhole\n",
+                    FrameRate(description_.truth), c.width, c.height) +
+          Formatted("intrinsics: [%.9g, %.9g, %.9g, %.9g] #fu, fv, cu, cv\n", c.fx, c.fy, c.cx,
+                    c.cy) +
           "distortion_model: radial-tangential\n" +
-          Line("distortion_coefficients: [%.9g, %.9g, %.9g, %.9g] #k1, k2, p1, p2\n", lens.k1,
-               lens.k2, lens.p1, lens.p2));
+          Formatted("distortion_coefficients: [%.9g, %.9g, %.9g, %.9g] #k1, k2, p1, p2\n", lens.k1,
+                    lens.k2, lens.p1, lens.p2));
 }
 
 void EurocSequenceWriter::WriteDepthList() const {
@@ -146,20 +140,20 @@ void EurocSequenceWriter::WriteImu() const {
       "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]\n";
   for (const ImuSample& s : description_.imu.samples) {
     const Vec3d &w = s.angular_velocity, &a = s.acceleration;
-    list += Line("%lld,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g\n", Nanoseconds(s.time_s), w.x, w.y, w.z,
-                 a.x, a.y, a.z);
+    list += Formatted("%lld,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g\n", Nanoseconds(s.time_s), w.x, w.y,
+                      w.z, a.x, a.y, a.z);
   }
   WriteFileAtomically(mav_ / "imu0/data.csv", list);
   WriteFileAtomically(
       mav_ / "imu0/sensor.yaml",
       std::string("sensor_type: imu\ncomment: from the exact derivatives of the camera's path\n") +
-          kIdentity + Line("rate_hz: %.9g\n", description_.imu.rate_hz) +
-          Line("gyroscope_noise_density: %.9g # [rad/s/sqrt(Hz)]\n"
-               "gyroscope_random_walk: %.9g # [rad/s^2/sqrt(Hz)]\n",
-               noise.gyro_density, noise.gyro_walk) +
-          Line("accelerometer_noise_density: %.9g # [m/s^2/sqrt(Hz)]\n"
-               "accelerometer_random_walk: %.9g # [m/s^3/sqrt(Hz)]\n",
-               noise.accelerometer_density, noise.accelerometer_walk));
+          kIdentity + Formatted("rate_hz: %.9g\n", description_.imu.rate_hz) +
+          Formatted("gyroscope_noise_density: %.9g # [rad/s/sqrt(Hz)]\n"
+                    "gyroscope_random_walk: %.9g # [rad/s^2/sqrt(Hz)]\n",
+                    noise.gyro_density, noise.gyro_walk) +
+          Formatted("accelerometer_noise_density: %.9g # [m/s^2/sqrt(Hz)]\n"
+                    "accelerometer_random_walk: %.9g # [m/s^3/sqrt(Hz)]\n",
+                    noise.accelerometer_density, noise.accelerometer_walk));
 }
 
 void EurocSequenceWriter::WriteStates() const {

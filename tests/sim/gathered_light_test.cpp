@@ -38,6 +38,15 @@ TEST(GatheredLight, WidthsFollowTheDistance) {
   EXPECT_EQ(widths(0.2f, 0.2f)[10], 0.01f);  // 10 cm from the leader, which saw something at 20
 }
 
+TEST(GatheredLight, WidthsNarrowWhereASampleItselfSeesThingsNearby) {
+  std::vector<Gathered> near(4);
+  const float distance_m[] = {100, 0.4f, 0.3f, 0.001f};
+  for (std::size_t i = 0; i < 4; ++i) near[i].distance_m = distance_m[i];
+  std::vector<float> width{0.1f, 0.1f, 0.1f, 0.1f};
+  NarrowBy(near, 0.025f, width);
+  EXPECT_EQ(width, (std::vector<float>{0.1f, 0.1f, 0.05f, 0.025f}));
+}
+
 // A plane of light that grows along x comes back as it is; noise comes back smaller.
 TEST(GatheredLight, InterpolatesBetweenLeaders) {
   const auto samples = Row(400);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "scene_builder.h"
@@ -99,6 +100,27 @@ TEST(IndirectLight, SeedsAndPlacesTurnTheDirections) {
   EXPECT_EQ(red(1, 1), red(1, 1));
   EXPECT_NE(red(1, 1), red(2, 1));
   EXPECT_NE(red(1, 1), red(1, 2));
+}
+
+// A bright slit of a hemisphere that is black else: few of the directions meet it.
+TEST(IndirectLight, MoreRoundsFollowWhereDirectionsDiffer) {
+  SceneBuilder builder;
+  builder.AddQuad({0.2f, -5, 1}, {0.1f, 0, 0}, {0, 10, 0}, builder.AddMaterial(Vec3f{}));
+  const RayTracer tracer(builder.scene);
+  const auto bright = [](const TriangleHit&, const Vec3f&) { return Vec3f{1, 1, 1}; };
+  const auto spread = [&](const IndirectLight::Rounds& rounds, const Vec3f& known) {
+    const IndirectLight light(builder.scene, tracer, 64, 3, rounds);
+    double sum = 0, squares = 0;
+    for (std::uint64_t place = 0; place < 200; ++place) {
+      const double e = light.Gather({0, 0, 0}, {0, 0, 1}, place, bright, known).irradiance.x;
+      sum += e / 200, squares += e * e / 200;
+    }
+    return std::sqrt(squares - sum * sum) / sum;
+  };
+  const double once = spread({1, 0}, {});
+  EXPECT_LT(spread({16, 0.01f}, {}), 0.4 * once);
+  EXPECT_NEAR(spread({16, 1}, {}), once, 1e-12);                   // good enough at once
+  EXPECT_NEAR(spread({16, 0.01f}, {100, 100, 100}), once, 1e-12);  // beside so much other light
 }
 
 }  // namespace

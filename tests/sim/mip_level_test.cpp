@@ -34,6 +34,15 @@ TEST(MipLevel, EncodingGivesThePictureBack) {
   EXPECT_EQ(MipLevel(picture).Encoded(), picture);
 }
 
+TEST(MipLevel, DigestsTellPicturesApart) {
+  Image<Rgba8> picture = Ramp(5, 3);
+  const std::string digest = MipLevel(picture).Digest();
+  EXPECT_EQ(MipLevel(Ramp(5, 3)).Digest(), digest);
+  EXPECT_NE(MipLevel(Ramp(3, 5)).Digest(), digest);
+  picture(4, 2).b ^= 1;
+  EXPECT_NE(MipLevel(picture).Digest(), digest);
+}
+
 // The nearest byte, in the encoding, also of values that no byte stands for.
 TEST(MipLevel, MeansAreEncodedByTheNearestByte) {
   for (int a = 0; a < 256; a += 5) {

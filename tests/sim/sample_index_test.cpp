@@ -28,5 +28,15 @@ TEST(SampleIndex, KeysThatDifferInOneNumberAreTwo) {
   }
 }
 
+TEST(SampleIndex, NewNumbersAreNoKeys) {
+  SampleIndex index(0);
+  EXPECT_EQ(index.NumberOf({1, 2, 3, 4, 5, 6}), 0u);
+  for (std::uint32_t i = 1; i < 100; ++i) EXPECT_EQ(index.NewNumber(), i);
+  for (std::uint32_t i = 100; i < 1000; ++i) EXPECT_EQ(index.NumberOf(KeyOf(int(i))), i);
+  for (std::uint32_t i = 100; i < 1000; ++i) EXPECT_EQ(index.NumberOf(KeyOf(int(i))), i);
+  EXPECT_EQ(index.NumberOf({1, 2, 3, 4, 5, 6}), 0u);
+  EXPECT_EQ(index.size(), 1000u);
+}
+
 }  // namespace
 }  // namespace silt::sim
