@@ -31,8 +31,9 @@ class BlockAlignments {
       starts.push_back({int(tasks.size()) - 1, jobs[i].initial});
     }
     std::vector<tracker::FinishedAlignment> finished;
-    for (const AlignBody::Outcome& outcome : Run(tasks, starts)) {
-      finished.push_back({outcome.optimizer, outcome.judged});
+    double batch_ms = 0;
+    for (const AlignBody::Outcome& outcome : Run(tasks, starts, &batch_ms)) {
+      finished.push_back({outcome.optimizer, outcome.judged, batch_ms});
     }
     return finished;
   }
@@ -111,7 +112,8 @@ class BlockAlignments {
   }
 
   std::vector<AlignBody::Outcome> Run(const std::vector<AlignTask>& tasks,
-                                      const std::vector<AlignStart>& starts) const {
+                                      const std::vector<AlignStart>& starts,
+                                      double* batch_ms) const {
     const ScratchSize size = SizeOf(tasks);
     int references = 1;
     for (const AlignTask& task : tasks) references = std::max(references, task.references);
@@ -139,9 +141,10 @@ class BlockAlignments {
     machine_.Upload(std::vector<Round>(n).data(), rounds);
     const Scratch scratch{visible.data(), nearest.data(), spread.data(), unit_sums.data(),
                           tile_sums.data()};
-    machine_.RunGroups(groups, blocks,
-                       AlignBody{task_array.data(), start_array.data(), int(starts.size()),
-                                 rounds.data(), scratch, size, references, outcomes.data()});
+    *batch_ms =
+        machine_.RunGroups(groups, blocks,
+                           AlignBody{task_array.data(), start_array.data(), int(starts.size()),
+                                     rounds.data(), scratch, size, references, outcomes.data()});
     return machine_.Download(outcomes);
   }
 

@@ -4,6 +4,14 @@
 #include "silt/cuda/devices.h"
 
 namespace silt::cuda {
+namespace {
+
+std::string VersionText(int version) {
+  if (version == 0) return "none";
+  return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
+}
+
+}  // namespace
 
 std::vector<Device> DeviceList() {
   int count = 0;
@@ -21,6 +29,12 @@ std::vector<Device> DeviceList() {
         {properties.name, properties.major, properties.minor, properties.totalGlobalMem});
   }
   return devices;
+}
+
+Versions DriverAndToolkit() {
+  int driver = 0;
+  Check(cudaDriverGetVersion(&driver), "asking for the driver's version");
+  return {VersionText(driver), VersionText(CUDART_VERSION)};
 }
 
 }  // namespace silt::cuda

@@ -10,6 +10,7 @@
 
 #include "silt/cuda/block.h"
 #include "silt/cuda/check.cuh"
+#include "silt/cuda/event_timer.cuh"
 #include "silt/cuda/group_kernel.cuh"
 #include "silt/cuda/stream.cuh"
 
@@ -86,17 +87,22 @@ class GpuMachine {
     return processors * of_processor;
   }
 
+  // Waits for the end, and tells the time by the device's clock, in milliseconds.
   template <typename Body>
-  void RunGroups(int groups, int blocks, const Body& body) const {
+  double RunGroups(int groups, int blocks, const Body& body) const {
     Array<GroupBarrier> barriers(*this, std::size_t(groups));
     Check(cudaMemsetAsync(barriers.data(), 0, barriers.size() * sizeof(GroupBarrier),
                           stream_->handle()),
           "clearing barriers");
     GroupBarrier* barrier = barriers.data();
     void* arguments[] = {const_cast<Body*>(&body), &blocks, &barrier};
+    EventTimer timer;
+    timer.Start(stream_->handle());
     Check(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(RunGroupsOf<Body>),
                                       groups * blocks, kThreads, arguments, 0, stream_->handle()),
           "starting a kernel of groups");
+    timer.Stop(stream_->handle());
+    return timer.Milliseconds();
   }
 
  private:

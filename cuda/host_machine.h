@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -64,7 +65,8 @@ class HostMachine {
   // Groups one after the other; in each round every block does all of its work before the first one
   // decides, and that before any goes on.
   template <typename Body>
-  void RunGroups(int groups, int blocks, const Body& body) const {
+  double RunGroups(int groups, int blocks, const Body& body) const {
+    const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < groups; ++i) {
       const int group = Ordered(i, groups);
       std::vector<std::unique_ptr<typename Body::Shared>> shared;
@@ -78,6 +80,9 @@ class HostMachine {
         }
       }
     }
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - begin;
+    return elapsed.count();
   }
 
  private:

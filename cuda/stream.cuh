@@ -18,7 +18,9 @@ namespace silt::cuda {
 // Memory of the host that the device reads and writes without another copy.
 class PinnedBuffer {
  public:
-  PinnedBuffer() { Check(cudaEventCreateWithFlags(&free_, cudaEventDisableTiming), "making an event"); }
+  PinnedBuffer() {
+    Check(cudaEventCreateWithFlags(&free_, cudaEventDisableTiming), "making an event");
+  }
   ~PinnedBuffer() {
     cudaFreeHost(bytes_);
     cudaEventDestroy(free_);

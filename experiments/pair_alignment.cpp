@@ -28,4 +28,11 @@ tracker::AlignmentResult PairAlignment::Align(const SE3d& start,
   return tracker::Align(backend_, {*reference_, *current_}, start, options);
 }
 
+std::vector<tracker::AlignmentResult> PairAlignment::AlignAll(
+    const std::vector<SE3d>& starts, const tracker::AlignmentOptions& options) const {
+  std::vector<tracker::AlignmentStart> all;
+  for (const SE3d& start : starts) all.push_back({*reference_, *current_, start});
+  return tracker::AlignBatch(backend_, all, options);
+}
+
 }  // namespace silt::experiments

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "silt/core/camera.h"
 #include "silt/core/frame.h"
@@ -31,6 +32,9 @@ class PairAlignment {
 
   const SE3d& truth() const { return truth_; }
   tracker::AlignmentResult Align(const SE3d& start, const tracker::AlignmentOptions& options) const;
+  // From each of the starts.
+  std::vector<tracker::AlignmentResult> AlignAll(const std::vector<SE3d>& starts,
+                                                 const tracker::AlignmentOptions& options) const;
 
  private:
   const tracker::Backend& backend_;

@@ -64,14 +64,16 @@ PoseDifference RandomStarts::OffsetOf(int index) const {
 }
 
 SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStarts& starts,
-                               const AlignFrom& align) {
+                               const AlignAllFrom& align) {
   SuccessRate success{starts.offset, 0, 0, 0};
   std::vector<double> solves;
   for (std::size_t p = 0; p < truths.size(); ++p) {
+    std::vector<SE3d> poses;
     for (int i = 0; i < starts.count; ++i) {
       const int index = int(p) * starts.count + i;
-      const SE3d start = RandomStart(truths[p], starts.OffsetOf(index), starts.seed, index);
-      const tracker::AlignmentResult result = align(p, start);
+      poses.push_back(RandomStart(truths[p], starts.OffsetOf(index), starts.seed, index));
+    }
+    for (const tracker::AlignmentResult& result : align(p, poses)) {
       const PoseDifference error = Difference(truths[p], result.current_from_reference);
       ++success.starts;
       success.recovered += result.ok && error.Within(kRecovered);
@@ -82,13 +84,27 @@ SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStar
   return success;
 }
 
+SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStarts& starts,
+                               const AlignFrom& align) {
+  const AlignAllFrom one_by_one = [&](std::size_t pair, const std::vector<SE3d>& poses) {
+    std::vector<tracker::AlignmentResult> results;
+    for (const SE3d& pose : poses) results.push_back(align(pair, pose));
+    return results;
+  };
+  return MeasureSuccessRate(truths, starts, one_by_one);
+}
+
 SuccessRate MeasureSuccessRate(const std::vector<PairAlignment>& pairs, const RandomStarts& starts,
                                const tracker::AlignmentOptions& options) {
+  // Nobody reads the logs, and a backend that runs alignments by itself keeps none.
+  tracker::AlignmentOptions without_log = options;
+  without_log.keep_log = false;
   std::vector<SE3d> truths;
   for (const PairAlignment& pair : pairs) truths.push_back(pair.truth());
-  return MeasureSuccessRate(truths, starts, [&](std::size_t pair, const SE3d& start) {
-    return pairs[pair].Align(start, options);
-  });
+  const AlignAllFrom all = [&](std::size_t pair, const std::vector<SE3d>& poses) {
+    return pairs[pair].AlignAll(poses, without_log);
+  };
+  return MeasureSuccessRate(truths, starts, all);
 }
 
 }  // namespace silt::experiments

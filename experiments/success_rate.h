@@ -47,10 +47,16 @@ struct RandomStarts {
 
 // Aligns a pair, given by its index, from a start.
 using AlignFrom = std::function<tracker::AlignmentResult(std::size_t pair, const SE3d& start)>;
+// The same from many starts.
+using AlignAllFrom = std::function<std::vector<tracker::AlignmentResult>(
+    std::size_t pair, const std::vector<SE3d>& starts)>;
 
 // The share of random starts from which the alignment recovers the true motion, over all pairs.
 SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStarts& starts,
                                const AlignFrom& align);
+SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStarts& starts,
+                               const AlignAllFrom& align);
+// All starts of a pair at once, as far as the backend can.
 SuccessRate MeasureSuccessRate(const std::vector<PairAlignment>& pairs, const RandomStarts& starts,
                                const tracker::AlignmentOptions& options);
 

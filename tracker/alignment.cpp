@@ -146,7 +146,7 @@ AlignmentResult StepByStep(const Backend& backend, const AlignmentJob& job,
     optimizer.Take(job.plan, equations);
     if (options.keep_log && optimizer.steps() > steps) log.push_back(optimizer.last_step());
   }
-  AlignmentResult result = ResultOf(FinishedAlignment{optimizer, {}}, job, options);
+  AlignmentResult result = ResultOf(FinishedAlignment{optimizer, {}, 0}, job, options);
   result.times = evaluation.times;
   result.log = std::move(log);
   return result;
@@ -167,6 +167,7 @@ AlignmentResult Align(const Backend& backend, const std::vector<ReferenceView>& 
   if (finished.empty()) return StepByStep(backend, job, options);
   AlignmentResult result = ResultOf(finished.front(), job, options);
   result.times.jacobian_ms = milliseconds;  // the whole of it: it is not known in parts
+  result.batch_ms = finished.front().batch_ms;
   if (result.ok) result.judged = finished.front().judged;
   return result;
 }
@@ -188,6 +189,7 @@ std::vector<AlignmentResult> AlignBatch(const Backend& backend,
   std::vector<AlignmentResult> results(starts.size());
   for (std::size_t i = 0; i < finished.size(); ++i) {
     results[i] = ResultOf(finished[i], jobs[i], options);
+    results[i].batch_ms = finished[i].batch_ms;
   }
   if (!finished.empty()) return results;
   // Pairs side by side, rather than the pixels of one.

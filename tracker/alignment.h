@@ -36,6 +36,8 @@ struct AlignmentResult {
   Covariance6 covariance{};
   // Of the residuals of judged_residuals.h, where the backend has found them on the way.
   std::optional<NormalEquations::Spread> judged;
+  // By the clock of the device that ran it, with all that it was run with; 0: step by step.
+  double batch_ms = 0;
 
   // ½Σr² at the finest level that was run.
   PhotometricCost final_cost() const {

@@ -72,6 +72,8 @@ struct AlignmentJob {
 struct FinishedAlignment {
   LevenbergMarquardt optimizer;    // wants nothing any more
   NormalEquations::Spread judged;  // of the intensity; zeros where it has failed
+  // That all the jobs it was run with took together, by the clock of the device that ran them.
+  double batch_ms = 0;
 };
 
 // Reductions over pixels; knows no vision beyond tracker/kernel. Every sum has the same bits in

@@ -18,5 +18,14 @@ TEST(DeviceList, DescribesEachDevice) {
 
 TEST(DeviceList, GivesTheSameAnswerTwice) { EXPECT_EQ(DeviceList().size(), DeviceList().size()); }
 
+TEST(DriverAndToolkit, AreVersionNumbers) {
+  const Versions versions = DriverAndToolkit();
+  EXPECT_GE(std::stod(versions.toolkit), 12.0);
+  EXPECT_TRUE(versions.driver == "none" || std::stod(versions.driver) > 8);
+  if (!DeviceList().empty()) {
+    EXPECT_NE(versions.driver, "none");
+  }
+}
+
 }  // namespace
 }  // namespace silt::cuda

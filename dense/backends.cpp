@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include "silt/dense/backends.h"
+
+#include "silt/core/error.h"
+#include "silt/tracker/cpu_backend.h"
+#ifdef SILT_HAVE_CUDA
+#include "silt/cuda/ceilings.h"
+#include "silt/cuda/cuda_backend.h"
+#include "silt/cuda/devices.h"
+#include "silt/cuda/emulated_backend.h"
+#endif
+
+namespace silt::dense {
+
+std::shared_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
+  if (name == "cpu") return tracker::MakeCpuBackend();
+#ifdef SILT_HAVE_CUDA
+  if (name == "cuda") return cuda::MakeCudaBackend();
+  if (name == "cuda-emulated") return cuda::MakeEmulatedBackend();
+#else
+  if (name == "cuda" || name == "cuda-emulated") {
+    throw Error("--backend " + name + ": this build was made without nvcc; use --backend cpu");
+  }
+#endif
+  throw Error("no backend is named '" + name + "'; there are: cpu, cuda, cuda-emulated");
+}
+
+JsonText DeviceFacts(const std::string& backend) {
+  JsonText facts;
+  facts.Add("backend", backend);
+#ifdef SILT_HAVE_CUDA
+  if (backend != "cuda") return facts;
+  const cuda::Device device = cuda::DeviceList().at(0);
+  const cuda::Versions versions = cuda::DriverAndToolkit();
+  const cuda::Ceilings ceilings = cuda::MeasureCeilings();
+  facts.Add("device", device.name)
+      .Add("capability", std::to_string(device.major) + "." + std::to_string(device.minor))
+      .Add("driver", versions.driver)
+      .Add("toolkit", versions.toolkit)
+      .Add("copy_bytes_per_s", ceilings.bytes_per_s)
+      .Add("fma_operations_per_s", ceilings.operations_per_s)
+      .Add("multiply_add_operations_per_s", ceilings.operations_no_fma_per_s);
+#endif
+  return facts;
+}
+
+}  // namespace silt::dense
