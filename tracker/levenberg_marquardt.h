@@ -90,9 +90,9 @@ class LevenbergMarquardt {
   static constexpr int kFirstScaleRounds = 4;
   // Residuals are not taken for smaller than these: rounding to 8 bits leaves the first. Depth that
   // is exact would outweigh all intensities, and with them what they alone can tell of a camera
-  // before a plane, while interpolating it over curved surfaces is not exact: 0.1 mm at 1 m, and
-  // what 16-bit files round to.
-  static constexpr double kLeastIntensityScale = 0.2 / 255, kLeastInverseDepthScale = 1e-4;  // 1/m
+  // before a plane, while interpolating it over curved surfaces is not exact: what rounding to the
+  // 0.2 mm of 16-bit files leaves at 1 m, and twice as much with each coarser level.
+  static constexpr double kLeastIntensityScale = 0.2 / 255, kLeastInverseDepthScale = 5e-5;  // 1/m
 
   SILT_HOST_DEVICE void NextLevel(const AlignmentPlan& plan) {
     for (--level_; level_ >= 1; --level_) {
@@ -251,8 +251,9 @@ class LevenbergMarquardt {
     const NormalEquations::Spread squares{equations_.cost.squares, equations_.cost.pixels};
     const bool near = SetScale(plan, norm_.robust() ? equations_.intensity : squares,
                                kLeastIntensityScale, &norm_.intensity);
-    return (!norm_.use_depth || SetScale(plan, equations_.inverse_depth, kLeastInverseDepthScale,
-                                         &norm_.inverse_depth)) &&
+    const double least_depth = kLeastInverseDepthScale * double(1 << (level_ - 1));
+    return (!norm_.use_depth ||
+            SetScale(plan, equations_.inverse_depth, least_depth, &norm_.inverse_depth)) &&
            near;
   }
 

@@ -89,8 +89,8 @@ TrackerOptions AccuratePreset() {
   TrackerOptions options;
   options.alignment.max_iterations = {6, 6, 10, 10};
   options.alignment.use_current_depth = true;
-  options.alignment.depth_edge_margin_px = 2;
-  options.alignment.robust_scale = 2.5;
+  options.alignment.depth_edge_margin_px = 1;
+  options.alignment.robust_scale = 2;
   options.alignment.robust_gradient = 8.0 / 255;
   options.alignment.depth_residual = true;
   options.alignment.min_update_norm = 2e-6;
@@ -117,6 +117,7 @@ TrackerOptions AccuratePreset() {
 TrackerOptions FastPreset() {
   TrackerOptions options = AccuratePreset();
   options.alignment.max_iterations = {0, 5, 10, 20};
+  options.alignment.robust_scale = 2.5;
   options.alignment.min_update_norm = 5e-5;
   options.alignment.scale_rounds = 2;
   options.keyframes.joint = 1;
