@@ -114,7 +114,7 @@ struct UnitSums {
   }
 };
 
-// The sums of an image, and Σg·gᵀ over the gradients of its tiles: NormalEquations::scatter.
+// The sums of an image, and Σg·gᵀ over the gradients of its stripes: NormalEquations::scatter.
 struct ImageSums {
   static constexpr int kScatter = 21;
   double sums[kSums], scatter[kScatter];
@@ -169,8 +169,9 @@ struct TileSums {
   SILT_HOST_DEVICE static double AddScatter(const Tiling& tiling, int first, int k,
                                             const double* tile_sums) {
     double total = 0;
-    for (int tile = first; tile < tiling.tiles; tile += kRuns) {
-      total += tracker::ScatterOf(tile_sums + tile * kSums, k);
+    const int stripe = tracker::TilesOfStripe(tiling.tiles);
+    for (int tile = first * stripe; tile < tiling.tiles; tile += kRuns * stripe) {
+      total += tracker::ScatterOf(tile_sums, tiling.tiles, tile, k);
     }
     return total;
   }

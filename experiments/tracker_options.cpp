@@ -31,6 +31,7 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("alignment", "scale_rounds", a.scale_rounds);
   visit("alignment", "depth_residual", a.depth_residual);
   visit("alignment", "rotation_only", a.rotation_only);
+  visit("alignment", "covariance_factor", a.covariance_factor);
   auto& k = o.keyframes;
   visit("keyframes", "max_distance_m", k.max_distance_m);
   visit("keyframes", "max_rotation_deg", k.max_rotation_deg);

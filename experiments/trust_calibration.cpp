@@ -152,16 +152,17 @@ Json TrustSummary::ToJson() const {
 
 std::string FormatTrust(const std::vector<TrustSummary>& summaries) {
   std::string text =
-      "images   preset            tracked doubtful lost | mean NEES   99 % band    factor  (of "
+      "images   preset            tracked doubtful lost | mean NEES   99 % band        factor  (of "
       "medians) | jumps: tracked doubtful lost, wild tracked doubtful\n";
   char line[240];
   for (const TrustSummary& s : summaries) {
-    std::snprintf(line, sizeof line,
-                  "%-8s %-17s %7d %8d %4d | %9.3g  %5.2f to %5.2f %7.3g %13.3g | %14d %8d %4d %13d "
-                  "%8d\n",
-                  s.images.c_str(), s.preset.c_str(), s.tracked, s.doubtful, s.lost, s.mean_square,
-                  s.band_low, s.band_high, s.factor(), s.median_factor(), s.jumps_tracked,
-                  s.jumps_doubtful, s.jumps_lost, s.wild_tracked, s.wild_doubtful);
+    std::snprintf(
+        line, sizeof line,
+        "%-8s %-17s %7d %8d %4d | %9.3g  %5.2f to %5.2f %-3s %7.3g %13.3g | %14d %8d %4d %13d "
+        "%8d\n",
+        s.images.c_str(), s.preset.c_str(), s.tracked, s.doubtful, s.lost, s.mean_square,
+        s.band_low, s.band_high, s.calibrated() ? "in" : "out", s.factor(), s.median_factor(),
+        s.jumps_tracked, s.jumps_doubtful, s.jumps_lost, s.wild_tracked, s.wild_doubtful);
     text += line;
   }
   return text;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the silt authors
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -26,6 +27,7 @@ struct Options {
   ExperimentBasics basics;
   int pairs = 0;
   std::vector<std::string> presets = {"paper", "accurate", "fast"};
+  std::vector<std::string> images = {"sharp", "noisy", "blurred"};
 };
 
 struct ImageKind {
@@ -45,12 +47,19 @@ std::vector<TrustSample> Measure(const Options& options, const World& world) {
   const ExperimentBasics& basics = options.basics;
   const std::vector<TrustPair> pairs =
       TrustPairs(world.path.duration_s(), options.pairs, basics.seed);
-  const std::vector<ImageKind> kinds = ImageKinds(basics);
+  std::vector<ImageKind> kinds = ImageKinds(basics);
+  std::erase_if(kinds, [&](const ImageKind& kind) {
+    return std::find(options.images.begin(), options.images.end(), kind.name) ==
+           options.images.end();
+  });
   Progress progress(double(kinds.size() * pairs.size()));
   std::vector<TrustSample> samples;
   for (const ImageKind& kind : kinds) {
-    for (const TrustPair& pair : pairs) {
-      const FramePair frames = RenderPair(world, kind.rendering, pair.reference_s, pair.current_s);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const TrustPair& pair = pairs[i];
+      sim::RenderOptions rendering = kind.rendering;
+      rendering.seed = basics.seed * pairs.size() + i;  // noise that no other pair has
+      const FramePair frames = RenderPair(world, rendering, pair.reference_s, pair.current_s);
       for (const std::string& preset : options.presets) {
         TrustSample sample = MeasureTrust(frames, {preset, basics.backend, "sparse", basics.seed});
         sample.images = kind.name;
@@ -77,6 +86,7 @@ void Run(const Options& given, const Invocation& invocation) {
   const Json config{{"basics", options.basics.ToJson()},
                     {"pairs", options.pairs},
                     {"presets", options.presets},
+                    {"images", options.images},
                     {"world", world.ToJson()}};
   const Json manifest = MakeManifest(invocation.command_line, config, options.basics.seed);
   Json summary_rows = Json::array(), sample_rows = Json::array();
@@ -102,6 +112,11 @@ void AddTrustExperiment(CLI::App& experiments, const Invocation& invocation) {
       command->add_option("--pairs", options->pairs, "Pairs of frames of each kind; default: 60"),
       1, 100000);
   command->add_option("--preset", options->presets, "Trackers to compare")->capture_default_str();
+  command
+      ->add_option("--images", options->images,
+                   "Kinds of images: sharp, noisy (Handa's), blurred (and noisy)")
+      ->check(CLI::IsMember({"sharp", "noisy", "blurred"}))
+      ->capture_default_str();
   command->footer(
       "Pairs of frames are spread over the path; a tracker whose only keyframe is the first says\n"
       "where the second is: of frames up to 0.5 s apart, and of any two (jumps). NEES is\n"

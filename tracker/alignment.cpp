@@ -43,7 +43,10 @@ AlignmentPlan PlanOf(const std::vector<ReferenceView>& references, const Current
   plan.keep_log = options.keep_log;
   plan.robust_scale = options.robust_scale;
   plan.robust_gradient = options.robust_gradient;
-  if (plan.robust) plan.robust_share = MeanRobustSquare(options.robust_scale);
+  if (plan.robust) {
+    plan.robust_share = MeanRobustSquare(options.robust_scale);
+    plan.step_factor = CurvatureLoss(options.robust_scale);
+  }
   return plan;
 }
 

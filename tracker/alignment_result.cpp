@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "silt/tracker/residual_scale.h"
+#include "silt/tracker/sum_layout.h"
 
 namespace silt::tracker {
 namespace {
@@ -45,18 +46,21 @@ double ResidualVariance(const LevenbergMarquardt& optimizer, const AlignmentOpti
   return options.robust() ? scale * scale : optimizer.equations().cost.mean_square();
 }
 
-// C = κ·H⁻¹ with κ = tr(H⁻¹·Σg·gᵀ)/6: the variance of the residuals by what the gradients of
-// tiles scatter, so that neighbours that err together count for fewer. A robust norm's curvature
-// is less than H, which holds weights alone.
+// C = f·κ·H⁻¹ with κ = tr(H⁻¹·Σg·gᵀ)/6: the variance of the residuals by what the gradients of
+// stripes scatter, so that neighbours that err together count for fewer. A robust norm's curvature
+// is less than H, which holds weights alone. f is options.covariance_factor.
 Covariance6 CovarianceOf(const LevenbergMarquardt& optimizer, const AlignmentOptions& options) {
   const NormalEquations& equations = optimizer.equations();
   const double loss = options.robust() ? CurvatureLoss(options.robust_scale) : 1;
   const Matrix6 inverse = SymmetricMatrix(equations.hessian).ldlt().solve(Matrix6::Identity());
-  const double scattered = (inverse * SymmetricMatrix(equations.scatter)).trace() / 6;
+  // At the pose that is found, the stripes' gradients sum to zero: one of them tells nothing new.
+  constexpr double free_share = double(kScatterStripes - 1) / kScatterStripes;
+  const double scattered = (inverse * SymmetricMatrix(equations.scatter)).trace() / 6 / free_share;
   const double variance = scattered > 0 ? scattered : ResidualVariance(optimizer, options);
+  const double factor = options.covariance_factor * variance * loss * loss;
   Covariance6 covariance;
   for (int i = 0; i < 36; ++i) {
-    covariance[i] = variance * loss * loss * 0.5 * (inverse(i / 6, i % 6) + inverse(i % 6, i / 6));
+    covariance[i] = factor * 0.5 * (inverse(i / 6, i % 6) + inverse(i % 6, i / 6));
   }
   return covariance;
 }

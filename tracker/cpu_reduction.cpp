@@ -72,8 +72,12 @@ void ForTiles(const simd::LevelView& view, const Work& work) {
 
 using Scatter = std::array<double, 21>;
 
-void AddTo(Scatter* total, const Sums& tile) {
-  for (int k = 0; k < int(total->size()); ++k) (*total)[k] += ScatterOf(tile.data(), k);
+void AddStripes(const Sums* tile_sums, int tiles, Scatter* total) {
+  for (int first = 0; first < tiles; first += TilesOfStripe(tiles)) {
+    for (int k = 0; k < int(total->size()); ++k) {
+      (*total)[k] += ScatterOf(tile_sums->data(), tiles, first, k);
+    }
+  }
 }
 
 // Sums over all rows: tile by tile in parallel, then the tiles in order.
@@ -92,8 +96,8 @@ Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view, Scatter* scatte
   });
   for (int i = 0; i < Tiles(view); ++i) {
     for (int k = 0; k < kSumCount; ++k) total[k] += tiles[i][k];
-    if (scatter) AddTo(scatter, tiles[i]);
   }
+  if (scatter) AddStripes(tiles, Tiles(view), scatter);
   return total;
 }
 

@@ -32,6 +32,7 @@ struct AlignmentPlan {
   double robust_scale = 0, robust_gradient = 0;
   // MeanRobustSquare(robust_scale): what makes a scale of the residuals a standard deviation.
   double robust_share = 1;
+  double step_factor = 1;  // CurvatureLoss(robust_scale): how far short weighted squares fall
 };
 
 enum class AlignmentFailure { kNone, kTooFewPixels, kNoSolution, kNoLevel, kNoTexture };
@@ -109,7 +110,18 @@ class LevenbergMarquardt {
       failure_ = AlignmentFailure::kNoLevel;
     } else if (!plan.rotation_only && !DeterminesPose()) {
       failure_ = AlignmentFailure::kNoTexture;
+    } else if (plan.robust && plan.take_last_step) {
+      Close(plan);
     }
+  }
+
+  // A level that ran out of iterations leaves equations at its pose, of a robust norm: one more
+  // step costs no pass over the pixels. Nothing judges it, so steps must grow shorter.
+  SILT_HOST_DEVICE void Close(const AlignmentPlan& plan) {
+    Twistd update;
+    if (!step_.accepted || summaries_[level_count_ - 1].converged) return;
+    if (!Solve(plan, &update) || Length(update) > step_.update_norm) return;
+    pose_ = SE3d::Exp(plan.step_factor * update) * pose_;
   }
 
   SILT_HOST_DEVICE void Fail(AlignmentFailure why) {
@@ -144,11 +156,10 @@ class LevenbergMarquardt {
     ++summary.iterations;
     Twistd update;
     if (!Solve(plan, &update)) return Fail(AlignmentFailure::kNoSolution);
-    using std::sqrt;
-    const double norm = sqrt(Dot(update.omega, update.omega) + Dot(update.v, update.v));
+    const double norm = Length(update);
     step_ = {level_, summary.iterations, damping_, norm, cost_, {}, false};
     summary.converged = norm < plan.min_update_norm[level_ - 1];
-    trial_ = SE3d::Exp(update) * pose_;
+    trial_ = SE3d::Exp(summary.converged ? plan.step_factor * update : update) * pose_;
     // What the last step leads to, only the log asks.
     if (summary.converged && !plan.keep_log) return TakeLastStep(plan);
     phase_ = Phase::kTrial;
@@ -158,6 +169,11 @@ class LevenbergMarquardt {
   SILT_HOST_DEVICE void TakeLastStep(const AlignmentPlan& plan) {
     if (plan.take_last_step) pose_ = trial_;
     EndLevel(plan);
+  }
+
+  SILT_HOST_DEVICE static double Length(const Twistd& d) {
+    using std::sqrt;
+    return sqrt(Dot(d.omega, d.omega) + Dot(d.v, d.v));
   }
 
   // The other part of an iteration: whether the trial pose is taken.

@@ -33,9 +33,9 @@ struct PhotometricCost {
 struct NormalEquations {
   std::array<double, 21> hessian{};  // JᵀJ, its upper triangle row by row
   std::array<double, 6> gradient{};  // Jᵀr
-  // Σg·gᵀ over tiles of the image, g being a tile's part of the gradient; its upper triangle. It
-  // tells how far residuals that lie beside each other err together. Zeros of a backend whose sums
-  // are of no tiles.
+  // Σg·gᵀ over stripes of the image, g being a stripe's part of the gradient; its upper triangle.
+  // It tells how far residuals that lie beside each other err together. Zeros of a backend whose
+  // sums are of no stripes.
   std::array<double, 21> scatter{};
   PhotometricCost cost;
   // Of a robust norm, for the scale of either kind of residuals: Σs·r² and their number.

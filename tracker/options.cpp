@@ -44,6 +44,7 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.robust_scale", robust_scale, 0, 1e6);
   CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
   CheckRange("alignment.scale_rounds", scale_rounds, 0, 100);
+  CheckRange("alignment.covariance_factor", covariance_factor, 1e-6, 1e6);
   if (depth_residual && !(use_current_depth && robust_scale > 0)) {
     throw Error("alignment.depth_residual needs use_current_depth, and robust_scale above 0");
   }
@@ -77,7 +78,11 @@ void TrackerOptions::Validate() const {
   CheckRange("relocalization_candidates", relocalization_candidates, 0, 1000);
 }
 
-TrackerOptions PaperPreset() { return {}; }
+TrackerOptions PaperPreset() {
+  TrackerOptions options;
+  options.alignment.covariance_factor = 2.1;
+  return options;
+}
 
 TrackerOptions PaperAllPixelsPreset() {
   TrackerOptions options = PaperPreset();
@@ -93,6 +98,7 @@ TrackerOptions AccuratePreset() {
   options.alignment.robust_scale = 2;
   options.alignment.robust_gradient = 8.0 / 255;
   options.alignment.depth_residual = true;
+  options.alignment.covariance_factor = 3.3;
   options.alignment.min_update_norm = 2e-6;
   options.alignment.coarser_update_norm = 4;
   options.alignment.take_last_step = true;
@@ -120,6 +126,7 @@ TrackerOptions FastPreset() {
   options.alignment.robust_scale = 2.5;
   options.alignment.min_update_norm = 5e-5;
   options.alignment.scale_rounds = 2;
+  options.alignment.covariance_factor = 2;
   options.keyframes.joint = 1;
   return options;
 }

@@ -48,7 +48,11 @@ struct AlignmentOptions {
   // scale; needs robust_scale and use_current_depth.
   bool depth_residual = false;
   bool rotation_only = false;  // the translation stays as it is
-  bool keep_log = false;       // one AlignmentStep per solve
+  // By which the covariance is larger than the residuals tell: both images are sampled and their
+  // depth is interpolated, which moves a pose without leaving residuals. Measured, not derived:
+  // the presets' are what pairs of the office's noisy frames ask for, between its two paths.
+  double covariance_factor = 1;
+  bool keep_log = false;  // one AlignmentStep per solve
 
   int levels() const { return int(max_iterations.size()); }
   bool robust() const { return robust_scale > 0; }

@@ -41,11 +41,18 @@ SILT_HOST_DEVICE inline NormalEquations EquationsOf(const double* sums, const Re
   return equations;
 }
 
-// Element k of g·gᵀ of a tile's gradient g, in the order of NormalEquations::scatter.
-SILT_HOST_DEVICE inline double ScatterOf(const double* tile_sums, int k) {
+// Element k of g·gᵀ of the gradient g of the stripe that begins with tile `first`, in the order of
+// NormalEquations::scatter; `tile_sums` holds kSumCount of each tile.
+SILT_HOST_DEVICE inline double ScatterOf(const double* tile_sums, int tiles, int first, int k) {
   int row = 0;
   for (; k >= 6 - row; ++row) k -= 6 - row;
-  return tile_sums[kGradientSum + row] * tile_sums[kGradientSum + row + k];
+  const int end = first + TilesOfStripe(tiles) < tiles ? first + TilesOfStripe(tiles) : tiles;
+  double g = 0, h = 0;
+  for (int tile = first; tile < end; ++tile) {
+    g += tile_sums[tile * kSumCount + kGradientSum + row];
+    h += tile_sums[tile * kSumCount + kGradientSum + row + k];
+  }
+  return g * h;
 }
 
 }  // namespace silt::tracker

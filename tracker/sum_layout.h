@@ -10,7 +10,15 @@ namespace silt::tracker {
 inline constexpr int kGradientSum = 21, kSquaresSum = 27, kCountSum = 28, kRobustSum = 29,
                      kDepthCountSum = 30, kDepthRobustSum = 31, kSumCount = 32;
 
-// Rows of a tile: of its part of the gradient, NormalEquations::scatter is made.
+// Rows of a tile, the unit of work.
 inline constexpr int kTileRows = 8;
+
+// NormalEquations::scatter is made of the gradients of so many stripes of the image, of whole
+// tiles, or of the tiles where there are fewer. Errors that run along an edge, as those of
+// interpolation do, are not told apart from independent ones by tiles that are lower than the edge
+// is long.
+inline constexpr int kScatterStripes = 8;
+
+constexpr int TilesOfStripe(int tiles) { return (tiles + kScatterStripes - 1) / kScatterStripes; }
 
 }  // namespace silt::tracker

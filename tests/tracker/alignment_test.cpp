@@ -272,8 +272,8 @@ TEST(Alignment, CovarianceIsThatOfTheTilesOrElseOfTheResiduals) {
   EXPECT_NEAR(plain.covariance[0], 0.04 / 4, 1e-12);
   EXPECT_NEAR(plain.covariance[1], 0, 1e-12);
   backend.equations.scatter = {6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 12, 0, 0, 0, 0, 0, 0, 6, 0, 24};
-  EXPECT_NEAR(AlignFake(backend, Levels({1})).covariance[35], (6 + 12 + 6 + 24) / 4.0 / 6 / 4,
-              1e-12);
+  EXPECT_NEAR(AlignFake(backend, Levels({1})).covariance[35],
+              (6 + 12 + 6 + 24) / 4.0 / 6 / 4 * 8 / 7, 1e-12);
 }
 
 }  // namespace
