@@ -2,20 +2,23 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034
 # Sourced by tests/run and experiments/run: installs the packages that are missing and builds what
-# has changed. Debian 12 and Ubuntu 24.04 have every package under these names.
+# has changed. Debian 12 and Ubuntu 24.04 have every package under these names, but for those with a
+# question mark, which silt can do without.
 
 build_packages=(
   build-essential cmake ninja-build
   libeigen3-dev libtbb-dev libxsimd-dev                           # core, tracker
   libopencv-dev libdlib-dev libblas-dev liblapack-dev             # image files, sparse features
+  libceres-dev                                                    # the graph over keyframes
   libembree-dev libassimp-dev libarchive-dev libtomlplusplus-dev  # sim
   libcli11-dev libspdlog-dev nlohmann-json3-dev                   # experiments
+  "libopen3d-dev?"                                                # meshes of maps
 )
 run_packages=(
   sweethome3d-furniture       # the models of the scenes
   python3 python3-matplotlib  # the figures of the reports
 )
-test_packages=(libgtest-dev libgmock-dev libceres-dev assimp-testmodels)
+test_packages=(libgtest-dev libgmock-dev assimp-testmodels)
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 build=$root/build/release
@@ -25,7 +28,7 @@ fail() {
   exit 1
 }
 
-# install_packages PACKAGE…: those of them that are not yet there, with apt.
+# install_packages PACKAGE…: those of them that are not yet there, with apt; PACKAGE? if there is one.
 install_packages() {
   local missing=() package as_root=()
   if ! command -v apt-get >/dev/null; then
@@ -33,10 +36,12 @@ install_packages() {
     return
   fi
   for package in "$@"; do
-    [[ $(dpkg-query -W -f '${Status}' "$package" 2>/dev/null) == *"ok installed" ]] ||
+    [[ $(dpkg-query -W -f '${Status}' "${package%\?}" 2>/dev/null) == *"ok installed" ]] ||
       missing+=("$package")
   done
   ((${#missing[@]})) || return 0
+  [[ ${missing[*]} != *\? || ${#missing[@]} -gt 1 ]] || apt-cache show "${missing[0]%\?}" \
+    >/dev/null 2>&1 || return 0 # all that is missing is nowhere to be had
   if ((EUID != 0)); then
     command -v sudo >/dev/null ||
       fail "neither root nor sudo; have root run: apt-get install ${missing[*]}"
@@ -49,7 +54,16 @@ install_packages() {
     apt-get -y -q -o DPkg::Lock::Timeout=600)
   # A source that cannot be refreshed matters only if the installation fails for it.
   "${apt[@]}" update </dev/null >"$log" 2>&1 || true
-  "${apt[@]}" install --no-install-recommends "${missing[@]}" </dev/null >>"$log" 2>&1 ||
+  local wanted=()
+  for package in "${missing[@]}"; do
+    if [[ $package == *\? ]] && ! apt-cache show "${package%\?}" >/dev/null 2>&1; then
+      echo "silt: no package ${package%\?} here; going on without it"
+    else
+      wanted+=("${package%\?}")
+    fi
+  done
+  ((${#wanted[@]})) || return 0
+  "${apt[@]}" install --no-install-recommends "${wanted[@]}" </dev/null >>"$log" 2>&1 ||
     fail "apt-get failed: $(grep -m1 '^E:' "$log" || tail -n1 "$log")"
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "silt/experiments/keyframe_map.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +12,7 @@
 
 #include "silt/core/pyramid.h"
 #include "silt/experiments/figures.h"
+#include "silt/experiments/tsdf_mesh.h"
 #include "silt/tracker/depth_edges.h"
 
 namespace silt::experiments {
@@ -115,7 +118,14 @@ Json WriteMap(const std::filesystem::path& folder, const MapInput& input) {
   WriteTumTrajectory(folder / "path.txt", input.trajectory);
   Json json{{"keyframes", input.keyframes.size()},
             {"voxel_m", input.voxel_m},
-            {"points", cloud.points.size()}};
+            {"points", cloud.points.size()},
+            {"triangles", nullptr}};
+  if (const auto mesh = TsdfMesh(input.keyframes, input.camera, input.voxel_m)) {
+    WritePly(folder / "mesh.ply", *mesh);
+    json["triangles"] = mesh->triangles.size();
+  } else {
+    spdlog::warn("map: no mesh.ply, as no Open3D was found; install libopen3d-dev and build again");
+  }
   DrawFigures("map.py", folder);
   return json;
 }

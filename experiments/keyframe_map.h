@@ -34,8 +34,8 @@ struct MapInput {
   double voxel_m = 0.01;
 };
 
-// Writes cloud.ply, cameras.ply, path.txt and figures/map.png into the folder. Returns what there
-// is.
+// Writes cloud.ply, cameras.ply, path.txt and figures/map.png into the folder, and mesh.ply where
+// tsdf_mesh.h can make one, else a warning. Returns what there is.
 Json WriteMap(const std::filesystem::path& folder, const MapInput& input);
 
 }  // namespace silt::experiments

@@ -40,6 +40,7 @@ struct Options {
   int every = 1;
   SimulationOptions simulation;
   TrackerSetup tracker;
+  bool graph = false;
 };
 
 struct Tracked {
@@ -47,7 +48,7 @@ struct Tracked {
   std::vector<tracker::Keyframe> keyframes;
   PinholeCamera camera;
   Trajectory truth;  // empty where there is none
-  Json source;
+  Json source, graph;
 };
 
 // The tracker knows pinhole cameras only.
@@ -75,7 +76,8 @@ std::optional<SE3d> TruthAt(const Trajectory& truth, double time_s) {
 
 void Take(const TrackingRun& run, const PinholeCamera& camera, Tracked* tracked) {
   tracked->result = run.Result();
-  tracked->keyframes = run.keyframes();
+  tracked->keyframes = run.Keyframes();
+  tracked->graph = run.GraphJson();
   tracked->camera = camera;
 }
 
@@ -100,7 +102,7 @@ Tracked TrackFolder(const Options& options) {
     const double start_s = sequence->times_s().front();
     first = tracked.truth[NearestIndex(Times(tracked.truth), start_s)].world_from_camera;
   }
-  TrackingRun run(sequence->camera(), options.tracker, first);
+  TrackingRun run(sequence->camera(), options.tracker, first, options.graph);
   Progress progress(sequence->size());
   int number = 0;
   while (const std::optional<Frame> frame = sequence->Next()) {
@@ -120,7 +122,8 @@ Tracked TrackSimulation(const Options& options) {
   tracked.source = {{"world", world.ToJson()}, {"render", plan.ToJson()}};
   tracked.truth = TruePoses(world, plan.stretch);
   const int frames = int(tracked.truth.size());
-  TrackingRun run(plan.options.camera, options.tracker, tracked.truth.front().world_from_camera);
+  TrackingRun run(plan.options.camera, options.tracker, tracked.truth.front().world_from_camera,
+                  options.graph);
   Progress progress(frames);
   std::optional<Undistortion> undistortion;
   if (!plan.options.lens.IsNone()) {
@@ -165,6 +168,7 @@ Json Summary(const Tracked& tracked, const std::optional<Evaluation>& evaluation
             {"lost", r.lost()},
             {"ms_per_frame", r.mean_times.total_ms},
             {"stages_ms", ToJson(r.mean_times)},
+            {"graph", tracked.graph},
             {"messages", r.messages}};
   json["evaluation"] = evaluation ? ToJson(*evaluation) : Json(nullptr);
   return json;
@@ -192,7 +196,8 @@ void Run(Options options, const Invocation& invocation) {
   std::optional<Evaluation> evaluation;
   if (!tracked.truth.empty()) evaluation = Evaluate(tracked.truth, result.estimate);
 
-  const Json config{{"source", tracked.source}, {"tracker", ToJson(options.tracker)}};
+  const Json config{
+      {"source", tracked.source}, {"tracker", ToJson(options.tracker)}, {"graph", options.graph}};
   const Json manifest = MakeManifest(invocation.command_line, config, options.tracker.seed);
   WriteTumTrajectory(options.out, InAxesOf(options.camera, result.estimate));
   if (!options.json.empty()) {
@@ -224,6 +229,9 @@ void AddTrackerOptions(CLI::App& command, Options& options) {
           "pose), previous, constant-velocity, rotation (a coarse alignment), surf, sift, "
           "orb, akaze, or truth, which may be off: truth:0.02m,1deg")
       ->capture_default_str();
+  command.add_flag("--graph", options.graph,
+                   "Write poses as a graph over the keyframes corrects them: it aligns keyframes "
+                   "with others that they share views with, old ones too");
 }
 
 }  // namespace
@@ -248,8 +256,8 @@ void AddTrackCommand(CLI::App& program, const Invocation& invocation) {
   command->add_option("--json", options->json, "Write figures and manifest here (-: to stdout)");
   command->add_option(
       "--map", options->map,
-      "Folder to make of what the keyframes saw: cloud.ply, cameras.ply (keyframes\n"
-      "and path), path.txt and figures/map.png");
+      "Folder to make of what the keyframes saw: cloud.ply, mesh.ply (by Open3D, where the\n"
+      "build has found it), cameras.ply (keyframes and path), path.txt and figures/map.png");
   RequireNumber(command->add_option("--voxel", options->voxel_m, "Size of the map's voxels [m]")
                     ->capture_default_str(),
                 1e-4, 10);

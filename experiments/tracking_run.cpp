@@ -3,8 +3,10 @@
 #include "silt/experiments/tracking_run.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "silt/core/error.h"
+#include "silt/experiments/tracker_options.h"
 
 namespace silt::experiments {
 namespace {
@@ -30,10 +32,15 @@ int TrackingResult::lost() const {
 }
 
 TrackingRun::TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
-                         const SE3d& first_world_from_camera)
+                         const SE3d& first_world_from_camera, bool with_graph)
     : choice_(ParseInitializer(setup.initializer)),
       seed_(setup.seed),
-      tracker_(MakeTracker(camera, setup, first_world_from_camera)) {}
+      tracker_(MakeTracker(camera, setup, first_world_from_camera)) {
+  if (!with_graph) return;
+  const tracker::TrackerOptions options = PresetOptions(setup.preset);
+  graph_.emplace(camera, tracker::KeyframeGraphOptions{options.alignment, options.trust},
+                 MakeBackend(setup.backend));
+}
 
 std::optional<SE3d> TrackingRun::Expected(const std::optional<SE3d>& true_world_from_camera) const {
   if (!choice_.uses_truth()) return {};
@@ -48,6 +55,7 @@ std::optional<SE3d> TrackingRun::Expected(const std::optional<SE3d>& true_world_
 tracker::TrackedFrame TrackingRun::Track(const Frame& frame,
                                          const std::optional<SE3d>& true_world_from_camera) {
   tracker::TrackedFrame tracked = tracker_.Track(frame, Expected(true_world_from_camera));
+  if (graph_) graph_->Take(tracker_.keyframes(), tracked);
   result_.estimate.push_back({tracked.time_s, tracked.world_from_camera});
   result_.is_keyframe.push_back(tracked.new_keyframe);
   result_.status.push_back(tracked.status);
@@ -64,7 +72,27 @@ TrackingResult TrackingRun::Result() const {
   TrackingResult result = result_;
   const double frames = std::max<double>(1, double(result.estimate.size()));
   for (const Stage stage : kStages) result.mean_times.*stage = sums_.*stage / frames;
+  if (!graph_) return result;
+  const std::vector<SE3d> poses = graph_->FramePoses();
+  for (std::size_t i = 0; i < poses.size(); ++i) result.estimate[i].world_from_camera = poses[i];
   return result;
+}
+
+std::vector<tracker::Keyframe> TrackingRun::Keyframes() const {
+  std::vector<tracker::Keyframe> keyframes = tracker_.keyframes();
+  if (!graph_) return keyframes;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    keyframes[i].world_from_camera = graph_->keyframe_poses()[i];
+  }
+  return keyframes;
+}
+
+Json TrackingRun::GraphJson() const {
+  if (!graph_) return nullptr;
+  return {{"edges", graph_->edges().size()},
+          {"loops", graph_->loops()},
+          {"cost_before_the_last_keyframe", graph_->cost().before},
+          {"cost", graph_->cost().after}};
 }
 
 }  // namespace silt::experiments

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "silt/core/trajectory.h"
+#include "silt/experiments/json.h"
 #include "silt/experiments/tracker_setup.h"
+#include "silt/tracker/graph/keyframe_graph.h"
 
 namespace silt::experiments {
 
@@ -26,18 +28,20 @@ struct TrackingResult {
   int lost() const;  // their poses are the last that was not
 };
 
-// One tracker that is fed a sequence.
+// One tracker that is fed a sequence, and a graph over its keyframes if wanted: what the run then
+// tells of poses is as the graph corrects them in the end.
 class TrackingRun {
  public:
   TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
-              const SE3d& first_world_from_camera);
+              const SE3d& first_world_from_camera, bool with_graph = false);
 
   // The true pose is where the frame's alignment starts if the setup says so, and nothing else.
   // Throws silt::Error where it is wanted and there is none.
   tracker::TrackedFrame Track(const Frame& frame,
                               const std::optional<SE3d>& true_world_from_camera = std::nullopt);
   TrackingResult Result() const;
-  const std::vector<tracker::Keyframe>& keyframes() const { return tracker_.keyframes(); }
+  std::vector<tracker::Keyframe> Keyframes() const;
+  Json GraphJson() const;  // its edges, loops and cost; null without one
 
  private:
   std::optional<SE3d> Expected(const std::optional<SE3d>& true_world_from_camera) const;
@@ -45,6 +49,7 @@ class TrackingRun {
   InitializerChoice choice_;
   std::uint64_t seed_;
   tracker::KeyframeTracker tracker_;
+  std::optional<tracker::KeyframeGraph> graph_;
   TrackingResult result_;
   tracker::StageTimes sums_;
 };

@@ -96,6 +96,10 @@ TEST(TrackCommand, WritesAMap) {
   for (const char* name : {"cloud.ply", "cameras.ply", "path.txt", "figures/map.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / "map" / name)) << name;
   }
+  // Either a mesh or a word about why there is none.
+  const bool meshed = std::filesystem::exists(folder / "map/mesh.ply");
+  EXPECT_EQ(meshed, manifest["map"]["triangles"].is_number());
+  EXPECT_EQ(meshed, result.error.find("no mesh.ply") == std::string::npos);
 }
 
 }  // namespace

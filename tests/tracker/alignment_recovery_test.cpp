@@ -67,6 +67,24 @@ TEST(AlignmentRecovery, ThePyramidReachesFartherThanOneLevel) {
   EXPECT_GT(error({200}), 1e-2);
 }
 
+// The equations of the last pose are there: one more step from them goes on where the iterations
+// end, and goes the whole way although weighted squares fall short.
+TEST(AlignmentRecovery, TheLastEquationsGiveOneMoreStep) {
+  const SE3d start = SE3d::Exp({{0.003, -0.002, 0}, {0.005, 0.003, 0}}) * kCurrentFromReference;
+  AlignmentOptions options;
+  options.robust_scale = 2.5;
+  options.max_iterations = {40};
+  options.min_update_norm = 1e-10;
+  const SE3d converged = AlignRoom(start, options).current_from_reference;
+  const auto rest = [&](bool take_last_step) {
+    options.max_iterations = {2};
+    options.take_last_step = take_last_step;
+    return Distance(AlignRoom(start, options).current_from_reference, converged);
+  };
+  EXPECT_GT(rest(false), 1e-6);
+  EXPECT_LT(rest(true), 0.4 * rest(false));
+}
+
 // A board moves before the wall, and hides one side of it: what the reference shows there is no
 // residual of the pose.
 TEST(AlignmentRecovery, HiddenPixelsDoNotPullThePose) {
