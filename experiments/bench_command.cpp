@@ -11,6 +11,7 @@ void AddBenchCommand(CLI::App& program, const Invocation& invocation) {
   command->require_subcommand(1);
   AddRenderBench(*command, invocation);
   AddTrackBench(*command, invocation);
+  AddAlignBatchBench(*command, invocation);
 }
 
 }  // namespace silt::experiments

@@ -29,6 +29,7 @@ void AddPathCommand(CLI::App& program, const Invocation& invocation);
 void AddInfoCommand(CLI::App& program, const Invocation& invocation);
 
 // Subcommands of `bench`.
+void AddAlignBatchBench(CLI::App& bench, const Invocation& invocation);
 void AddRenderBench(CLI::App& bench, const Invocation& invocation);
 void AddTrackBench(CLI::App& bench, const Invocation& invocation);
 

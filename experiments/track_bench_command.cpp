@@ -127,7 +127,8 @@ void AddTrackBench(CLI::App& bench, const Invocation& invocation) {
   integer("--instants", options->choice.instants, 10000, "Pairs of each gap, evenly spread");
   integer("--repeats", options->bench.repeats, 1000, "Of which the fastest counts");
   integer("--threads", options->bench.threads, 1024, "Threads; one thread is measured beside them");
-  command->add_option("--backend", options->bench.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512")
+  command
+      ->add_option("--backend", options->bench.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512, cuda")
       ->capture_default_str();
   command
       ->add_option("--preset", options->bench.presets,

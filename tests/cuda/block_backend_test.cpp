@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "silt/core/color.h"
 #include "silt/tracker/alignment.h"
+#include "silt/tracker/kernel/image_sampler.h"
+#include "silt/tracker/kernel/residual.h"
 #include "wavy_wall.h"
 
 // The GPU's backend against the CPU's.
@@ -81,6 +84,39 @@ TEST_P(BlockBackendOn, EquationsAreTheCpusAtEveryLevelAndOfEveryNorm) {
       const NormalEquations expected = cpu_->Linearize(cpu.images(), level, kPose, norm);
       EXPECT_GT(expected.cost.pixels, 20);
       ExpectNear(block_->Linearize(block.images(), level, kPose, norm), expected);
+    }
+  }
+}
+
+// Σ|J_i·r| over all pixels: what a gradient that all but cancels is a small rest of.
+std::array<double, 6> AbsoluteGradient(const SE3d& pose) {
+  namespace kernel = tracker::kernel;
+  const Pictures reference = Scene({}), current = Scene(kPose);
+  const kernel::Warp<double> warp(pose, kCamera);
+  const kernel::ImageSampler<double> sampler{current.intensity.data(), kCamera.width,
+                                             kCamera.height};
+  std::array<double, 6> sum{};
+  for (int y = 0; y < kCamera.height; ++y) {
+    for (int x = 0; x < kCamera.width; ++x) {
+      const auto r = kernel::Linearize(
+          warp, sampler,
+          {double(x), double(y), reference.depth_m(x, y), reference.intensity(x, y)});
+      for (std::size_t i = 0; i < 6; ++i) sum[i] += std::abs(r.jacobian[i] * r.residual);
+    }
+  }
+  return sum;
+}
+
+TEST_P(BlockBackendOn, TheGradientErrsByAMillionthOfWhatCancelsInIt) {
+  const Pair block = MakePair(*block_, {kLevels, 0, false});
+  const Pair cpu = MakePair(*cpu_, {kLevels, 0, false});
+  for (const SE3d& pose : {kPose, SE3d::Exp({{0.002, 0, 0}, {0, 0.003, 0}}) * kPose}) {
+    const std::array<double, 6> absolute = AbsoluteGradient(pose);
+    const NormalEquations ours = block_->Linearize(block.images(), 0, pose);
+    const NormalEquations theirs = cpu_->Linearize(cpu.images(), 0, pose);
+    for (std::size_t i = 0; i < 6; ++i) {
+      EXPECT_GT(absolute[i], 0);
+      EXPECT_LE(std::abs(ours.gradient[i] - theirs.gradient[i]), 1e-6 * absolute[i]) << i;
     }
   }
 }
