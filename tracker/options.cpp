@@ -80,7 +80,7 @@ void TrackerOptions::Validate() const {
 
 TrackerOptions PaperPreset() {
   TrackerOptions options;
-  options.alignment.covariance_factor = 2.1;
+  options.alignment.covariance_factor = 3.1;
   return options;
 }
 
@@ -98,7 +98,7 @@ TrackerOptions AccuratePreset() {
   options.alignment.robust_scale = 2;
   options.alignment.robust_gradient = 8.0 / 255;
   options.alignment.depth_residual = true;
-  options.alignment.covariance_factor = 3.3;
+  options.alignment.covariance_factor = 2;
   options.alignment.min_update_norm = 2e-6;
   options.alignment.coarser_update_norm = 4;
   options.alignment.take_last_step = true;
@@ -113,7 +113,7 @@ TrackerOptions AccuratePreset() {
   options.trust.max_unexplained_variance = 0.25;
   options.trust.min_inlier_ratio = 0.5;
   options.trust.max_uncertainty_rad = 0.03;
-  options.trust.doubtful_unexplained_variance = 0.2;
+  options.trust.doubtful_unexplained_variance = 0.13;
   options.relocalization_candidates = 5;
   options.always_initialize = false;
   options.start = Start::kConstantVelocity;
@@ -126,7 +126,7 @@ TrackerOptions FastPreset() {
   options.alignment.robust_scale = 2.5;
   options.alignment.min_update_norm = 5e-5;
   options.alignment.scale_rounds = 2;
-  options.alignment.covariance_factor = 2;
+  options.alignment.covariance_factor = 2.3;
   options.keyframes.joint = 1;
   return options;
 }

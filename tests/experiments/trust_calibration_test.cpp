@@ -45,8 +45,7 @@ TEST(TrustCalibration, TheBandIsThatOfChiSquare) {
   EXPECT_NEAR(MeanChiSquare6Band(100).high, 6.932, 0.01);
 }
 
-TrustSample Sample(TrackingStatus status, double square, double distance_m = 0,
-                   bool jump = false) {
+TrustSample Sample(TrackingStatus status, double square, double distance_m = 0, bool jump = false) {
   TrustSample sample;
   sample.images = "sharp";
   sample.preset = "fast";
@@ -82,7 +81,8 @@ TEST(TrustCalibration, SummariesCountAndTakeMeansOfTrackedFrames) {
   EXPECT_EQ(s.wild_tracked, 1);
   EXPECT_EQ(s.wild_doubtful, 1);
   EXPECT_TRUE(summaries[1].calibrated());
-  EXPECT_THAT(FormatTrust(summaries), HasSubstr("sharp    fast                    3        1    1"));
+  EXPECT_THAT(FormatTrust(summaries),
+              HasSubstr("sharp    fast                    3        1    1"));
 }
 
 TEST(TrustCalibration, ASampleTellsTheErrorOfAPoseAndItsCovariance) {
@@ -98,6 +98,29 @@ TEST(TrustCalibration, ASampleTellsTheErrorOfAPoseAndItsCovariance) {
   EXPECT_FALSE(sample.wild());
   EXPECT_EQ(sample.ToJson()["status"], "tracked");
   EXPECT_GT(sample.evidence.inlier_ratio, 0.9);
+}
+
+// Ten pairs under Handa's noise, each with its own: NEES is 6 within a factor that so few pairs and
+// another scene than the one of the measured factor allow, and that a covariance ten times too
+// large or too small does not.
+TEST(TrustCalibration, CovariancesOfNoisyPairsAreOfTheRightSize) {
+  const World& world = StudioWorld();
+  for (const char* preset : {"accurate", "fast"}) {
+    std::vector<TrustSample> samples;
+    for (const TrustPair& pair : TrustPairs(world.path.duration_s(), 10, 3)) {
+      if (pair.jump) continue;
+      sim::RenderOptions rendering = SmallPictures();
+      rendering.sensor = PaperRenderOptions(true).sensor;
+      rendering.seed = samples.size();
+      samples.push_back(MeasureTrust(RenderPair(world, rendering, pair.reference_s, pair.current_s),
+                                     {preset, "cpu", "sparse", 0}));
+      samples.back().pair = pair;
+    }
+    const TrustSummary summary = SummarizeTrust(samples).front();
+    EXPECT_GE(summary.tracked, 9) << preset;
+    EXPECT_GT(summary.mean_square, 6 / 5.0) << preset;
+    EXPECT_LT(summary.mean_square, 6 * 5.0) << preset;
+  }
 }
 
 }  // namespace

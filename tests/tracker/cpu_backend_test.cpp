@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -308,6 +310,27 @@ TEST(AlignmentOptions, PyramidsBeginWhereSomethingIsAligned) {
   EXPECT_EQ(options.Pyramids().finest, 0);
   options.max_iterations = {0, 0};
   EXPECT_EQ(options.Pyramids().finest, 1);
+}
+
+// 15 tiles of eight rows: eight stripes of two tiles, but for the last.
+TEST(CpuBackend, TheScatterIsThatOfEightStripes) {
+  const Pair whole = RoomPair();
+  const SE3d pose = SE3d::Exp({{0.003, 0, 0}, {0.004, 0, 0}}) * kMotion;
+  std::array<double, 21> scatter{};
+  for (int first = 0; first < 120; first += 16) {
+    View stripe = whole.reference;
+    for (int y = 0; y < 120; ++y) {
+      if (y < first || y >= first + 16) std::fill_n(stripe.depth_m.row(y), 160, 0.0f);
+    }
+    const NormalEquations part = Pair{stripe, whole.current, kSmallCamera, 4}.Linearize(pose);
+    for (int i = 0, k = 0; i < 6; ++i) {
+      for (int j = i; j < 6; ++j, ++k) scatter[k] += part.gradient[i] * part.gradient[j];
+    }
+  }
+  const NormalEquations equations = whole.Linearize(pose);
+  for (int k = 0; k < 21; ++k) {
+    EXPECT_NEAR(equations.scatter[k], scatter[k], 1e-6 * scatter[0]) << k;
+  }
 }
 
 }  // namespace
