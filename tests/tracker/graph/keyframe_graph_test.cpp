@@ -101,8 +101,13 @@ TEST(KeyframeGraph, TakesAsManyPartnersAsItMay) {
   EXPECT_EQ(RunAll(options).graph.edges().size(), std::size_t(kKeyframes - 1));
 }
 
-// Every other keyframe shows another wall than its pose says: what is not to be trusted makes no
-// edge.
+TEST(KeyframeGraph, WhatIsDoubtfulMakesNoEdge) {
+  KeyframeGraphOptions options = SmallImages();
+  options.trust.doubtful_overlap = 1;  // which no two keyframes have
+  EXPECT_EQ(RunAll(options).graph.edges().size(), std::size_t(kKeyframes - 1));
+}
+
+// The last keyframe shows another wall than its pose says.
 TEST(KeyframeGraph, AWrongViewConnectsNothing) {
   DriftingTracker tracker;
   KeyframeGraph graph(kSmallCamera, SmallImages(), MakeCpuBackend());
