@@ -230,7 +230,7 @@ void AddTrackerOptions(CLI::App& command, Options& options) {
           "orb, akaze, or truth, which may be off: truth:0.02m,1deg")
       ->capture_default_str();
   command.add_flag("--graph", options.graph,
-                   "Write poses as a graph over the keyframes corrects them: it aligns keyframes "
+                   "Write poses as a graph over the keyframes corrects them: it aligns keyframes\n"
                    "with others that they share views with, old ones too");
 }
 
