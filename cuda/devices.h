@@ -18,8 +18,8 @@ struct Device {
 // Throws silt::Error where a driver is there and fails.
 std::vector<Device> DeviceList();
 
-// What CUDA the driver knows, and what this program was compiled with: "13.0". The driver's is "none"
-// where there is none.
+// What CUDA the driver knows, and what this program was compiled with: "13.0". The driver's is
+// "none" where there is none.
 struct Versions {
   std::string driver, toolkit;
 };

@@ -11,30 +11,12 @@
 #include "silt/core/error.h"
 #include "silt/core/parallel.h"
 #include "silt/tracker/cpu_backend.h"
+#include "small_walk.h"
 
 namespace silt::tracker {
 namespace {
 
 using testing::HasSubstr;
-
-const SE3d kStart{Quaterniond::Exp({0.1, 0.3, 0}), {0.1, 0, -0.4}};
-
-// A walk of small steps, 3 cm and 1° a frame.
-SE3d TruePose(int frame) {
-  const double s = frame;
-  return kStart * SE3d::Exp({{0.004 * s, 0.017 * s, 0}, {0.03 * s, 0.004 * s, 0.005 * s}});
-}
-
-TrackerOptions SmallImages() {
-  TrackerOptions options;
-  options.alignment.max_iterations = {10, 10, 20};
-  return options;
-}
-
-KeyframeTracker MakeTracker(std::unique_ptr<Initializer> initializer = nullptr,
-                            const TrackerOptions& options = SmallImages()) {
-  return KeyframeTracker(kSmallCamera, options, MakeCpuBackend(), std::move(initializer), kStart);
-}
 
 // Says what the test tells it to, and remembers what it was asked.
 struct ScriptedInitializer : Initializer {
@@ -47,16 +29,6 @@ struct ScriptedInitializer : Initializer {
   std::optional<SE3d> answer;
   int own_calls = 0;
   int* calls = &own_calls;
-};
-
-// The same answer whatever the frame.
-struct FrameInitializer : Initializer {
-  InitialEstimate Estimate(const InitializerInput&) override {
-    ++*calls;
-    return {answer, 50, 40, 1.5};
-  }
-  std::optional<SE3d> answer;
-  int* calls = nullptr;
 };
 
 TEST(KeyframeTracker, TheFirstFrameIsTheFirstKeyframe) {
@@ -146,7 +118,6 @@ struct BadView {
 
 void PrintTo(const BadView& bad, std::ostream* out) { *out << bad.name; }
 
-Frame BlackFrame() { return {0, Image<Rgb8>(160, 120), Image<float>(160, 120, 1.0f)}; }
 Frame GrayFrame() {
   return {0, Image<Rgb8>(160, 120, {128, 128, 128}), Image<float>(160, 120, 1.0f)};
 }
@@ -229,43 +200,6 @@ TEST(KeyframeTracker, InvalidOptionsAreAnError) {
   EXPECT_THROW(MakeTracker(nullptr, options), Error);
 }
 
-class OwnPreset : public testing::TestWithParam<TrackerOptions> {};
-
-// With the time between frames, an even motion foretells the next pose.
-TEST_P(OwnPreset, FollowsAWalkWithoutAnInitializer) {
-  int calls = 0;
-  auto initializer = std::make_unique<ScriptedInitializer>();
-  initializer->calls = &calls;
-  TrackerOptions options = GetParam();
-  options.alignment.max_iterations.pop_back();
-  KeyframeTracker tracker = MakeTracker(std::move(initializer), options);
-  for (int i = 0; i < 25; ++i) {
-    const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
-    ASSERT_EQ(tracked.status, TrackingStatus::kTracked) << i << ": " << tracked.message;
-    EXPECT_LT(Distance(tracked.world_from_camera, TruePose(i)), 4e-3) << i;
-  }
-  EXPECT_EQ(calls, 0);
-  EXPECT_GT(tracker.keyframes().size(), 2u);
-}
-
-// Without the time between frames nothing can be foretold: each alignment starts a step behind.
-TEST_P(OwnPreset, StartsWhereAnEvenMotionLeads) {
-  const auto start_cost = [&](double frame_time_s) {
-    TrackerOptions options = GetParam();
-    options.alignment.max_iterations.pop_back();
-    options.alignment.robust_scale = options.alignment.robust_gradient = 0;
-    options.alignment.depth_residual = false;
-    KeyframeTracker tracker = MakeTracker(nullptr, options);
-    double sum = 0;
-    for (int i = 0; i < 8; ++i) {
-      const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(i), frame_time_s * i));
-      if (i >= 2) sum += tracked.alignment.levels.front().initial_cost.mean();
-    }
-    return sum;
-  };
-  EXPECT_LT(start_cost(0.1), 0.1 * start_cost(0));
-}
-
 TEST(KeyframeTracker, StartsWhereTheOptionsSay) {
   const auto start = [&](Start kind) {
     TrackerOptions options = SmallImages();
@@ -276,107 +210,6 @@ TEST(KeyframeTracker, StartsWhereTheOptionsSay) {
   };
   EXPECT_LT(start(Start::kConstantVelocity), 0.2 * start(Start::kPrevious));
   EXPECT_LT(start(Start::kPrevious), 0.5 * start(Start::kKeyframe));
-}
-
-// A jump to where the walk goes on: lost, until the features say where.
-TEST_P(OwnPreset, AsksTheInitializerWhereLost) {
-  int calls = 0;
-  auto initializer = std::make_unique<FrameInitializer>();
-  initializer->calls = &calls;
-  initializer->answer = TruePose(19).Inverse() * TruePose(0);
-  TrackerOptions options = GetParam();
-  options.alignment.max_iterations.pop_back();
-  KeyframeTracker tracker = MakeTracker(std::move(initializer), options);
-  tracker.Track(RoomFrame(TruePose(0), 0));
-  const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(19), 0.1));
-  EXPECT_EQ(calls, 1);
-  ASSERT_EQ(tracked.status, TrackingStatus::kTracked) << tracked.message;
-  EXPECT_LT(Distance(tracked.world_from_camera, TruePose(19)), 1e-2);
-}
-
-// A walk past several keyframes, darkness, and back where it began: the nearest keyframe is not the
-// one to ask, and nobody tells where to start.
-TEST_P(OwnPreset, FindsItsWayBackToAnyKeyframe) {
-  TrackerOptions options = GetParam();
-  options.alignment.max_iterations.pop_back();
-  KeyframeTracker tracker = MakeTracker(nullptr, options);
-  for (int i = 0; i < 30; ++i) tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
-  ASSERT_GT(tracker.keyframes().size(), 3u);
-  const TrackedFrame dark = tracker.Track(BlackFrame());
-  EXPECT_EQ(dark.status, TrackingStatus::kLost);
-  EXPECT_EQ(dark.covariance, Covariance6{});
-  const TrackedFrame back = tracker.Track(RoomFrame(TruePose(0), 3.1));
-  ASSERT_EQ(back.status, TrackingStatus::kTracked) << back.message;
-  EXPECT_EQ(back.keyframe_id, 0);
-  EXPECT_LT(Distance(back.world_from_camera, TruePose(0)), 4e-3);
-  // The leap is no velocity.
-  const TrackedFrame next = tracker.Track(RoomFrame(TruePose(1), 3.2));
-  EXPECT_EQ(next.status, TrackingStatus::kTracked) << next.message;
-}
-
-// Knows nothing, and remembers what it was told of each keyframe.
-struct AskedInitializer : Initializer {
-  struct Asked {
-    int keyframe_id;
-    SE3d expected;
-  };
-  explicit AskedInitializer(std::vector<Asked>* all) : asked(all) {}
-  InitialEstimate Estimate(const InitializerInput& input) override {
-    asked->push_back({input.keyframe.id, input.expected});
-    return {};
-  }
-  std::vector<Asked>* asked;
-};
-
-// Those that are expected in view are looked for there first, the nearest before all others; then
-// all from their own places. Without a motion nothing but the nearest is expected anywhere.
-TEST_P(OwnPreset, LooksForKeyframesWhereTheyAreExpected) {
-  TrackerOptions options = GetParam();
-  options.alignment.max_iterations.pop_back();
-  std::vector<AskedInitializer::Asked> asked;
-  KeyframeTracker tracker = MakeTracker(std::make_unique<AskedInitializer>(&asked), options);
-  for (int i = 0; i < 30; ++i) tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
-  ASSERT_TRUE(asked.empty());
-  const SE3d expected = TruePose(28) * SE3d::Exp({{0, 0.2, 0}, {}});
-  const auto count = [&](bool in_place) {
-    return std::count_if(asked.begin(), asked.end(), [&](const auto& one) {
-      const SE3d& keyframe = tracker.keyframes()[one.keyframe_id].world_from_camera;
-      const SE3d wanted = in_place ? SE3d{} : expected.Inverse() * keyframe;
-      return Distance(one.expected, wanted) + Angle(one.expected, wanted) < 1e-9;
-    });
-  };
-  EXPECT_EQ(tracker.Track(BlackFrame(), expected).status, TrackingStatus::kLost);
-  EXPECT_EQ(count(true), options.relocalization_candidates);
-  EXPECT_GT(count(false), 1);
-  EXPECT_EQ(count(true) + count(false), int(asked.size()));
-  EXPECT_GT(Distance(asked.front().expected, {}), 0);
-  asked.clear();
-  EXPECT_EQ(tracker.Track(BlackFrame()).status, TrackingStatus::kLost);
-  EXPECT_EQ(count(true), options.relocalization_candidates);
-  EXPECT_EQ(asked.size(), 1u + options.relocalization_candidates);
-}
-
-// About itself, where the nearest keyframes in metres show other walls.
-TEST_P(OwnPreset, TurnsOnTheSpotWithoutBeingLost) {
-  TrackerOptions options = GetParam();
-  options.alignment.max_iterations.pop_back();
-  KeyframeTracker tracker = MakeTracker(nullptr, options);
-  for (int i = 0; i < 26; ++i) {
-    const SE3d pose = kStart * SE3d::Exp({{0, 0.08 * i, 0}, {}});
-    const TrackedFrame tracked = tracker.Track(RoomFrame(pose, 0.1 * i));
-    ASSERT_EQ(tracked.status, TrackingStatus::kTracked) << i << ": " << tracked.message;
-    EXPECT_LT(Angle(tracked.world_from_camera, pose), 4e-3) << i;
-  }
-}
-
-TEST_P(OwnPreset, WithoutCandidatesItStaysLost) {
-  TrackerOptions options = GetParam();
-  options.alignment.max_iterations.pop_back();
-  options.relocalization_candidates = 0;
-  KeyframeTracker tracker = MakeTracker(nullptr, options);
-  for (int i = 0; i < 30; ++i) tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
-  const TrackedFrame back = tracker.Track(RoomFrame(TruePose(0), 3.1));
-  EXPECT_EQ(back.status, TrackingStatus::kLost);
 }
 
 TEST(KeyframeTracker, ADoubtfulFrameIsNoKeyframeWhereOnlyTrustedOnesAre) {
@@ -411,9 +244,6 @@ TEST(KeyframeTracker, CovariancesGrowFromKeyframeToKeyframe) {
   EXPECT_GT(deviations[1], deviations[0]);
   EXPECT_GT(deviations[2], deviations[1]);
 }
-
-INSTANTIATE_TEST_SUITE_P(KeyframeTracker, OwnPreset,
-                         testing::Values(AccuratePreset(), FastPreset()));
 
 TEST(KeyframeTracker, TheBitsDoNotDependOnTheNumberOfThreads) {
   const auto run = [](int threads) {
