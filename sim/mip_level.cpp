@@ -143,7 +143,6 @@ void MipLevel::FillInvisible(const MipLevel& coarse) {
 std::string MipLevel::Digest() const {
   return ContentHash()
       .Add(width_)
-      .Add(height_)
       .AddBytes(texels_.data(), texels_.size() * sizeof(Texel))
       .Digest();
 }

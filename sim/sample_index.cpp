@@ -64,7 +64,6 @@ std::uint32_t SampleIndex::NewNumber() {
 void SampleIndex::Rehash(std::size_t slots) {
   slots_.assign(slots, Slot{});
   for (std::size_t i = 0; i < keys_.size(); ++i) {
-    if (keys_[i] == kNoKey) continue;
     SlotOf(keys_[i]).number = std::uint32_t(i);
   }
 }
