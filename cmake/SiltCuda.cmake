@@ -27,6 +27,24 @@ function(silt_find_nvcc)
   set(nvcc ${found} PARENT_SCOPE)
 endfunction()
 
+# What is compiled unless told otherwise: `native` fails without a GPU. Real code of each generation
+# that the toolkit knows runs on all of it: 75 is Turing, 80 Ampere and Ada, 90 Hopper, 100 and 120
+# Blackwell. PTX of 90 is for what lies between (110), and that of the last for what comes after.
+function(silt_cuda_architectures nvcc result)
+  execute_process(COMMAND ${nvcc} --list-gpu-code OUTPUT_VARIABLE known ERROR_QUIET)
+  set(architectures "")
+  foreach(each 75 80 90 100 120)
+    if(known MATCHES "sm_${each}[^0-9]")
+      list(APPEND architectures ${each}-real)
+      set(newest ${each})
+    endif()
+  endforeach()
+  foreach(each 90 ${newest})
+    list(TRANSFORM architectures REPLACE "^${each}-real$" ${each})
+  endforeach()
+  set(${result} "${architectures}" PARENT_SCOPE)
+endfunction()
+
 if(NOT SILT_CUDA)
   return()
 endif()
@@ -34,9 +52,7 @@ set(cuda_missing "")
 silt_find_nvcc()
 if(NOT cuda_missing)
   if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-    # Real code for Turing, Ampere with Ada, and Hopper; PTX for what comes after. `native` fails
-    # without a GPU.
-    set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 90)
+    silt_cuda_architectures(${nvcc} CMAKE_CUDA_ARCHITECTURES)
   endif()
   set(ENV{CUDACXX} ${nvcc})  # what check_language tries
   include(CheckLanguage)
