@@ -28,7 +28,7 @@ struct Pictures {
 
 // A wavy wall with a board before it and holes in the depth, seen from `camera_from_world`: close
 // enough to a picture for residuals, edges and hidden pixels of all kinds.
-inline Pictures Scene(const SE3d& camera_from_world) {
+inline Pictures Scene(const SE3d& camera_from_world, bool with_board = true) {
   const SE3d world_from_camera = camera_from_world.Inverse();
   const Vec3d eye = world_from_camera.translation;
   Pictures pictures;
@@ -37,7 +37,7 @@ inline Pictures Scene(const SE3d& camera_from_world) {
       const Vec3d ray = world_from_camera.rotation * kCamera.Unproject(x, y, 1.0);
       const auto hit = [&](double wall_z) { return eye + (wall_z - eye.z) / ray.z * ray; };
       Vec3d p = hit(1.4);
-      if (std::abs(p.x) > 0.25 || std::abs(p.y) > 0.2) p = hit(2.5);
+      if (!with_board || std::abs(p.x) > 0.25 || std::abs(p.y) > 0.2) p = hit(2.5);
       pictures.depth_m(x, y) = (x + 3 * y) % 97 == 0 ? 0 : float((camera_from_world * p).z);
       pictures.intensity(x, y) =
           float(0.5 + 0.2 * std::sin(14 * p.x + 3 * p.z) + 0.2 * std::cos(11 * p.y + 5 * p.x));
@@ -53,8 +53,8 @@ struct Pair {
 };
 
 inline Pair MakePair(const tracker::Backend& backend, const tracker::PyramidOptions& options,
-                     bool with_depth = true) {
-  const Pictures reference = Scene({}), current = Scene(kPose);
+                     bool with_depth = true, bool with_board = true) {
+  const Pictures reference = Scene({}, with_board), current = Scene(kPose, with_board);
   return {backend.MakeReference(reference.intensity, reference.depth_m, kCamera, options),
           backend.MakeCurrent(current.intensity, with_depth ? current.depth_m : Image<float>{},
                               options)};
