@@ -66,11 +66,11 @@ struct Round {
 
 // A group's own memory.
 struct Scratch {
-  // Depths of pixels that are not hidden: reference r's level l at
-  // visible_m + r·pyramid_pixels + the pixels of finer levels.
+  // Depths of pixels that are not hidden, those of reference r from r·ScratchSize::visible on: the
+  // finest level first, one behind the other.
   float* visible_m;
-  float *nearest_m, *spread_m;  // cells of reference r at r·cells
-  double* unit_sums;            // those of reference r at r·units·kSums
+  float *nearest_m, *spread_m;  // cells of reference r from r·ScratchSize::cells on
+  double* unit_sums;            // those of reference r from r·ScratchSize::units·kSums on
   double* tile_sums;
 };
 

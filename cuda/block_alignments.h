@@ -121,8 +121,10 @@ class BlockAlignments {
                                                size.units * kSums * sizeof(double)) +
                                  size.tiles * kSums * sizeof(double);
     const int resident = machine_.template ResidentBlocks<AlignBody>();
+    // Images too small for any residual need no memory at all.
+    const std::size_t fit = kScratchBytes / std::max<std::size_t>(of_group, 1);
     const int groups =
-        std::clamp(int(kScratchBytes / of_group), 1, std::min(int(starts.size()), resident));
+        int(std::clamp<std::size_t>(fit, 1, std::min(starts.size(), std::size_t(resident))));
     // No image has more work for a group than its units.
     const int blocks = std::clamp(int(references * size.units), 1, resident / groups);
 

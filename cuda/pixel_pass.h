@@ -17,6 +17,7 @@ inline constexpr int kSums = tracker::kSumCount;
 
 // Parts of threads are added up in runs of kRun, in double precision, and then run by run.
 inline constexpr int kRuns = kThreads / kSums, kRun = kThreads / kRuns;
+static_assert(kRuns * kSums == kThreads && kRun * kRuns == kThreads, "each thread has its sum");
 
 enum class Residuals { kCost, kSquares, kRobust, kRobustWithDepth };
 
@@ -93,7 +94,7 @@ struct PixelPass {
   }
 };
 
-// The sums of a unit from the parts of a block's threads, in kUnitPhases phases of which the first
+// The sums of a unit from the parts of a block's threads, in kPhases phases of which the first
 // is to fill the parts.
 struct UnitSums {
   static constexpr int kPhases = 3;

@@ -133,6 +133,19 @@ TEST_P(BlockAlignmentsOn, FailAsTheyWouldStepByStep) {
   EXPECT_EQ(none.failure, "no pyramid level has enough measured pixels");
 }
 
+// A line of pixels, none of which has four pixels around it.
+TEST_P(BlockAlignmentsOn, FailWhereNoPixelCanBeCompared) {
+  const PinholeCamera line{64, 64, 0, 31.5, 1, 64};
+  AlignmentOptions options = tracker::PaperPreset().alignment;
+  options.max_iterations = {5};
+  options.exclude_hidden = false;
+  const Image<float> intensity(1, 64, 0.5f), depth_m(1, 64, 1.0f);
+  const auto reference = block_->MakeReference(intensity, depth_m, line, options.Pyramids());
+  const auto current = block_->MakeCurrent(intensity, {}, options.Pyramids());
+  const AlignmentResult result = tracker::Align(*block_, {*reference, *current}, {}, options);
+  EXPECT_EQ(result.failure, "the images share 0 of 64 measured pixels at level 1");
+}
+
 // More starts than groups, of two pairs, good and bad.
 TEST_P(BlockAlignmentsOn, ABatchFindsWhatEachOfItFinds) {
   for (AlignmentOptions options :
