@@ -146,9 +146,9 @@ TEST_F(AlignCommand, SaysSoWhenLost) {
 
 TEST_F(AlignCommand, BadInputIsToldInOneLine) {
   const auto error = [&](const std::string& arguments) {
+    SCOPED_TRACE(arguments);
     const ProgramResult result = RunSilt("align " + arguments);
-    EXPECT_GT(result.exit_code, 0) << arguments;
-    EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
+    ExpectOneLineError(result);
     return result.error;
   };
   const std::string cur = " --cur " + Path(files_[1].first);

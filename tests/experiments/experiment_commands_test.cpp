@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -93,9 +92,7 @@ TEST_P(BadExperiments, FailInOneLineAndLeaveNothing) {
   const TestFolder folder;
   const ProgramResult result =
       RunSilt("experiment " + GetParam().arguments + " --out " + (folder / "results").string());
-  EXPECT_GT(result.exit_code, 0);
-  EXPECT_THAT(result.error, HasSubstr(GetParam().said));
-  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
+  ExpectOneLineError(result, GetParam().said);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "silt/core/trajectory.h"
@@ -90,8 +89,7 @@ TEST(Render, OnAFullDiskLeavesNothing) {
                   Quoted(folder / "out/seq"),
               "trap '' XFSZ; ulimit -f 16;");
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
-  EXPECT_THAT(result.error, HasSubstr(".png"));
+  ExpectOneLineError(result, ".png");
   EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "silt_program.h"
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -37,6 +39,19 @@ ProgramResult RunSilt(const std::string& arguments, const std::string& before) {
                               (redirected ? "" : " > " + out) + " 2> " + error;
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(out), ReadText(error)};
+}
+
+void ExpectOneLineError(const ProgramResult& result, const std::string& part) {
+  EXPECT_GT(result.exit_code, 0) << result.out;
+  std::istringstream lines(result.error);
+  int count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(" left: ") != line.npos) continue;
+    EXPECT_LT(line.size(), 300u);
+    ++count;
+  }
+  EXPECT_EQ(count, 1) << result.error;
+  EXPECT_THAT(result.error, testing::HasSubstr(part));
 }
 
 }  // namespace silt::experiments

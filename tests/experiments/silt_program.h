@@ -16,6 +16,10 @@ struct ProgramResult {
 // the command line: "ulimit -f 1;" or "timeout 5".
 ProgramResult RunSilt(const std::string& arguments, const std::string& before = "");
 
+// The run has failed and said why in one short line that holds `part`. Lines of
+// progress, which a slow machine may bring, do not count.
+void ExpectOneLineError(const ProgramResult& result, const std::string& part = "");
+
 // A folder of the running test's own, empty at the start and gone at the end.
 class TestFolder {
  public:

@@ -16,7 +16,6 @@ namespace silt::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
 using testing::HasSubstr;
 
 // Ten frames of the studio, rendered once per process.
@@ -159,8 +158,8 @@ TEST_P(BadTrackInput, IsToldInOneLine) {
   if (GetParam().text != nullptr) std::ofstream(seq_ / GetParam().file) << GetParam().text;
   const ProgramResult result = RunSilt("track " + seq_.string() + " --out " + out_.string());
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.error, AllOf(HasSubstr(GetParam().file), HasSubstr(GetParam().complaint)));
-  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
+  ExpectOneLineError(result, GetParam().file);
+  EXPECT_THAT(result.error, HasSubstr(GetParam().complaint));
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, BadTrackInput,
