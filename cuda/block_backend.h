@@ -35,10 +35,10 @@ class BlockBackend : public tracker::Backend {
       const tracker::PyramidOptions& options) const override {
     SILT_CHECK(intensity.width() == camera.width && intensity.height() == camera.height);
     SILT_CHECK(depth_m.width() == camera.width && depth_m.height() == camera.height);
+    const Pyramid depths_m = Depths(depth_m, options);
     return std::make_unique<Reference>(
-        imaging_,
-        imaging_.template Halvings<HalveIntensity>(imaging_.Upload(intensity), options.levels),
-        Depths(depth_m, options), camera);
+        imaging_, Intensities(imaging_.Upload(intensity), options), depths_m,
+        imaging_.WithoutEdges(depths_m, options.depth_edge_margin_px), camera);
   }
 
   std::unique_ptr<tracker::CurrentPyramid> MakeCurrent(
@@ -46,7 +46,8 @@ class BlockBackend : public tracker::Backend {
       const tracker::PyramidOptions& options) const override {
     SILT_CHECK(depth_m.empty() ||
                (depth_m.width() == intensity.width() && depth_m.height() == intensity.height()));
-    return std::make_unique<Current>(imaging_, imaging_.Upload(intensity), depth_m, options);
+    return std::make_unique<Current>(imaging_, Intensities(imaging_.Upload(intensity), options),
+                                     Depths(depth_m, options), options);
   }
 
   std::unique_ptr<tracker::CurrentPyramid> MakeCurrentOfColour(
@@ -54,7 +55,8 @@ class BlockBackend : public tracker::Backend {
       const tracker::PyramidOptions& options) const override {
     SILT_CHECK(depth_m.empty() ||
                (depth_m.width() == rgb.width() && depth_m.height() == rgb.height()));
-    return std::make_unique<Current>(imaging_, imaging_.Gray(rgb), depth_m, options);
+    return std::make_unique<Current>(imaging_, Intensities(imaging_.Gray(rgb), options),
+                                     Depths(depth_m, options), options);
   }
 
   // What the current image has stays where it is.
@@ -63,9 +65,35 @@ class BlockBackend : public tracker::Backend {
       const PinholeCamera& camera, const tracker::PyramidOptions& options) const override {
     SILT_CHECK(depth_m.width() == camera.width && depth_m.height() == camera.height);
     const auto& current = dynamic_cast<const Current&>(image);
+    const Pyramid whole_m = current.has_depth() ? current.depth_m : Depths(depth_m, options);
     return std::make_unique<Reference>(
-        imaging_, current.whole_intensity,
-        current.has_depth() ? current.kept_m : Depths(depth_m, options), camera);
+        imaging_, current.whole_intensity, whole_m,
+        current.has_depth() ? current.kept_m
+                            : imaging_.WithoutEdges(whole_m, options.depth_edge_margin_px),
+        camera);
+  }
+
+  bool halves_what_it_holds() const override { return true; }
+
+  tracker::OwnedPair MakeHalved(const tracker::ImagePair& pair, int halvings, bool with_depth,
+                                const tracker::PyramidOptions& options) const override {
+    const auto& reference = dynamic_cast<const Reference&>(pair.reference);
+    const auto& current = dynamic_cast<const Current&>(pair.current);
+    PinholeCamera camera = reference.levels()[0].camera;
+    for (int i = 0; i < halvings; ++i) camera = camera.Halved();
+    const auto intensities = [&](const Pyramid& whole) {
+      return imaging_.template HalvingsFrom<HalveIntensity>(whole, halvings, options.levels);
+    };
+    const auto depths = [&](const Pyramid& whole_m) {
+      return imaging_.template HalvingsFrom<HalveDepth>(whole_m, halvings, options.levels);
+    };
+    const Pyramid depths_m = depths(reference.whole_depth_m);
+    return {std::make_unique<Reference>(
+                imaging_, intensities(reference.intensity), depths_m,
+                imaging_.WithoutEdges(depths_m, options.depth_edge_margin_px), camera),
+            std::make_unique<Current>(
+                imaging_, intensities(current.whole_intensity),
+                with_depth && current.has_depth() ? depths(current.depth_m) : Pyramid{}, options)};
   }
 
   std::unique_ptr<tracker::ReferencePyramid> WithoutHidden(
@@ -115,10 +143,13 @@ class BlockBackend : public tracker::Backend {
   using Pyramid = typename BlockImaging<Machine>::Pyramid;
   using Doubles = typename Machine::template Array<double>;
 
+  Pyramid Intensities(Picture finest, const tracker::PyramidOptions& options) const {
+    return imaging_.template Halvings<HalveIntensity>(std::move(finest), options.levels);
+  }
+  // All of them; empty where `depth_m` is.
   Pyramid Depths(const Image<float>& depth_m, const tracker::PyramidOptions& options) const {
-    return imaging_.WithoutEdges(
-        imaging_.template Halvings<HalveDepth>(imaging_.Upload(depth_m), options.levels),
-        options.depth_edge_margin_px);
+    if (depth_m.empty()) return {};
+    return imaging_.template Halvings<HalveDepth>(imaging_.Upload(depth_m), options.levels);
   }
 
   static kernel::Warp<float> WarpOf(const PinholeCamera& camera, const SE3d& pose) {

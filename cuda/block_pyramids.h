@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -61,6 +62,15 @@ class BlockImaging {
     return pyramid;
   }
 
+  // The levels of Halvings from `first` on, made of a pyramid that may end before.
+  template <typename Halve>
+  Pyramid HalvingsFrom(const Pyramid& finer, int first, int levels) const {
+    const int last = std::min(first, int(finer.size()) - 1);
+    Pyramid pyramid = Halvings<Halve>(finer[last], first - last + levels);
+    pyramid.erase(pyramid.begin(), pyramid.begin() + (first - last));
+    return pyramid;
+  }
+
   // Without what lies nearer than `margin_px` to a depth edge; a coarse level takes half of it.
   Pyramid WithoutEdges(const Pyramid& depth_m, int margin_px) const {
     if (margin_px == 0) return depth_m;
@@ -116,17 +126,16 @@ class BlockImaging {
 template <typename Machine>
 class BlockCurrent : public tracker::CurrentPyramid {
  public:
-  using Picture = BlockImage<Machine>;
   using Pyramid = typename BlockImaging<Machine>::Pyramid;
 
-  BlockCurrent(const BlockImaging<Machine>& imaging, Picture finest_intensity,
-               const Image<float>& finest_depth_m, const tracker::PyramidOptions& options)
-      : whole_intensity(
-            imaging.template Halvings<HalveIntensity>(std::move(finest_intensity), options.levels)),
-        intensity(whole_intensity) {
-    has_depth_ = !finest_depth_m.empty();
+  // Without depths, `depths_m` is empty.
+  BlockCurrent(const BlockImaging<Machine>& imaging, Pyramid intensities, Pyramid depths_m,
+               const tracker::PyramidOptions& options)
+      : whole_intensity(std::move(intensities)),
+        intensity(whole_intensity),
+        depth_m(std::move(depths_m)) {
+    has_depth_ = !depth_m.empty();
     if (!has_depth_) return;
-    depth_m = imaging.template Halvings<HalveDepth>(imaging.Upload(finest_depth_m), options.levels);
     kept_m = imaging.WithoutEdges(depth_m, options.depth_edge_margin_px);
     for (std::size_t level = 0; level < intensity.size(); ++level) {
       if (options.inverse_depth) inverse_depth.push_back(imaging.Inverse(kept_m[level]));
@@ -146,10 +155,12 @@ class BlockReference : public tracker::ReferencePyramid {
  public:
   using Pyramid = typename BlockImaging<Machine>::Pyramid;
 
-  // The depths without their edges.
-  BlockReference(const BlockImaging<Machine>& imaging, Pyramid intensities, Pyramid depths_m,
-                 PinholeCamera camera)
-      : intensity(std::move(intensities)), depth_m(std::move(depths_m)) {
+  // All depths, and those without their edges.
+  BlockReference(const BlockImaging<Machine>& imaging, Pyramid intensities, Pyramid whole_depths_m,
+                 Pyramid depths_m, PinholeCamera camera)
+      : intensity(std::move(intensities)),
+        whole_depth_m(std::move(whole_depths_m)),
+        depth_m(std::move(depths_m)) {
     for (const auto& depth : depth_m) {
       levels_.push_back({camera, imaging.Measured(depth)});
       camera = camera.Halved();
@@ -158,11 +169,13 @@ class BlockReference : public tracker::ReferencePyramid {
 
   // `other` with depths of its own.
   BlockReference(const BlockReference& other, Pyramid depths_m)
-      : intensity(other.intensity), depth_m(std::move(depths_m)) {
+      : intensity(other.intensity),
+        whole_depth_m(other.whole_depth_m),
+        depth_m(std::move(depths_m)) {
     levels_ = other.levels_;
   }
 
-  const Pyramid intensity, depth_m;
+  const Pyramid intensity, whole_depth_m, depth_m;
 };
 
 }  // namespace silt::cuda

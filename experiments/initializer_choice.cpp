@@ -65,21 +65,22 @@ InitializerChoice ParseInitializer(const std::string& text) {
   return choice;
 }
 
-std::unique_ptr<tracker::Initializer> MakeInitializer(const InitializerChoice& choice,
-                                                      const tracker::TrackerOptions& preset) {
+std::unique_ptr<tracker::Initializer> MakeInitializer(
+    const InitializerChoice& choice, const tracker::TrackerOptions& preset,
+    std::shared_ptr<const tracker::Backend> backend) {
+  if (!backend) backend = tracker::MakeCpuBackend();
   if (choice.kind == "auto") {
     auto surf = std::make_unique<tracker::SparseInitializer>();
     if (preset.always_initialize) return surf;
-    return std::make_unique<tracker::CoarseInitializer>(tracker::MakeCpuBackend(),
-                                                        tracker::WideStart(), std::move(surf));
+    return std::make_unique<tracker::CoarseInitializer>(std::move(backend), tracker::WideStart(),
+                                                        std::move(surf));
   }
   for (const NamedFeature& feature : kFeatures) {
     if (choice.kind != feature.name) continue;
     return std::make_unique<tracker::SparseInitializer>(tracker::OptionsFor(feature.kind));
   }
   if (choice.kind != "rotation") return nullptr;
-  return std::make_unique<tracker::CoarseInitializer>(tracker::MakeCpuBackend(),
-                                                      tracker::TurnAlone());
+  return std::make_unique<tracker::CoarseInitializer>(std::move(backend), tracker::TurnAlone());
 }
 
 tracker::TrackerOptions WithInitializer(const tracker::TrackerOptions& preset,

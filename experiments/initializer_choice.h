@@ -33,9 +33,11 @@ std::vector<std::string> InitializerNames();
 InitializerChoice ParseInitializer(const std::string& text);
 
 // Null where the choice needs none. "auto" is SURF for a preset that initializes every frame; for
-// one that does so only where it is lost, SURF and a wide start together.
-std::unique_ptr<tracker::Initializer> MakeInitializer(const InitializerChoice& choice,
-                                                      const tracker::TrackerOptions& preset = {});
+// one that does so only where it is lost, SURF and a wide start together. Coarse alignments are the
+// backend's, that of the tracker, so that its images stay where they are; null: the CPU's.
+std::unique_ptr<tracker::Initializer> MakeInitializer(
+    const InitializerChoice& choice, const tracker::TrackerOptions& preset = {},
+    std::shared_ptr<const tracker::Backend> backend = nullptr);
 
 // The preset's options with the choice in force.
 tracker::TrackerOptions WithInitializer(const tracker::TrackerOptions& preset,

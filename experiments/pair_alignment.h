@@ -31,6 +31,7 @@ class PairAlignment {
                 const tracker::AlignmentOptions& options);
 
   const SE3d& truth() const { return truth_; }
+  tracker::ImagePair images() const { return {*reference_, *current_}; }
   tracker::AlignmentResult Align(const SE3d& start, const tracker::AlignmentOptions& options) const;
   // From each of the starts.
   std::vector<tracker::AlignmentResult> AlignAll(const std::vector<SE3d>& starts,

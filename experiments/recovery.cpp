@@ -15,7 +15,6 @@
 #include "silt/experiments/statistics.h"
 #include "silt/experiments/tracker_options.h"
 #include "silt/tracker/coarse_initializer.h"
-#include "silt/tracker/cpu_backend.h"
 
 namespace silt::experiments {
 namespace {
@@ -53,7 +52,10 @@ class ReadyPairs {
  public:
   ReadyPairs(const std::vector<FramePair>& pairs, const tracker::Backend& backend,
              const Scheme& scheme)
-      : pairs_(pairs), scheme_(scheme), wide_(tracker::MakeCpuBackend(), tracker::WideStart()) {
+      : pairs_(pairs),
+        backend_(backend),
+        scheme_(scheme),
+        wide_({std::shared_ptr<void>(), &backend}, tracker::WideStart()) {
     for (const FramePair& pair : pairs) {
       alignments_.emplace_back(backend, pair, scheme.alignment);
       tracker::Keyframe keyframe;
@@ -67,21 +69,26 @@ class ReadyPairs {
   SuccessRate Measure(const RandomStarts& starts) {
     std::vector<SE3d> truths;
     for (const PairAlignment& pair : alignments_) truths.push_back(pair.truth());
-    return MeasureSuccessRate(truths, starts, [&](std::size_t pair, const SE3d& start) {
-      return alignments_[pair].Align(Widened(pair, start), scheme_.alignment);
-    });
+    const AlignAllFrom all = [&](std::size_t pair, std::vector<SE3d> poses) {
+      for (SE3d& pose : poses) pose = Widened(pair, pose);
+      return alignments_[pair].AlignAll(poses, scheme_.alignment);
+    };
+    return MeasureSuccessRate(truths, starts, all);
   }
 
  private:
   SE3d Widened(std::size_t pair, const SE3d& start) {
     if (scheme_.name != kWideScheme) return start;
     const FramePair& frames = pairs_[pair];
+    const tracker::HeldImages held{backend_, alignments_[pair].images()};
     return wide_
-        .Estimate({keyframes_[pair], frames.current, currents_[pair], frames.camera, 0, 0, start})
+        .Estimate(
+            {keyframes_[pair], frames.current, currents_[pair], frames.camera, 0, 0, start, held})
         .current_from_keyframe.value_or(start);
   }
 
   const std::vector<FramePair>& pairs_;
+  const tracker::Backend& backend_;
   const Scheme& scheme_;
   tracker::CoarseInitializer wide_;
   std::vector<PairAlignment> alignments_;

@@ -46,7 +46,8 @@ double PixelIterations(const tracker::AlignmentResult& alignment) {
 
 PairRun RunPreset(const std::string& preset, const Backend& backend, const FramePair& pair) {
   const tracker::TrackerOptions options = PresetOptions(preset);
-  tracker::KeyframeTracker tracker(pair.camera, options, backend, MakeInitializer({}, options));
+  tracker::KeyframeTracker tracker(pair.camera, options, backend,
+                                   MakeInitializer({}, options, backend));
   // A sequence's reader gives its frames away, too.
   Frame reference = pair.reference;
   const tracker::TrackedFrame first = tracker.Track(std::move(reference));

@@ -13,6 +13,7 @@
 #include "silt/experiments/option_checks.h"
 #include "silt/experiments/output.h"
 #include "silt/experiments/track_bench.h"
+#include "silt/experiments/tracker_setup.h"
 
 namespace silt::experiments {
 namespace {
@@ -127,9 +128,7 @@ void AddTrackBench(CLI::App& bench, const Invocation& invocation) {
   integer("--instants", options->choice.instants, 10000, "Pairs of each gap, evenly spread");
   integer("--repeats", options->bench.repeats, 1000, "Of which the fastest counts");
   integer("--threads", options->bench.threads, 1024, "Threads; one thread is measured beside them");
-  command
-      ->add_option("--backend", options->bench.backend, "cpu, cpu-sse2, cpu-avx2, cpu-avx512, cuda")
-      ->capture_default_str();
+  command->add_option("--backend", options->bench.backend, kBackendHelp)->capture_default_str();
   command
       ->add_option("--preset", options->bench.presets,
                    "Presets to compare; name:option=value changes one")

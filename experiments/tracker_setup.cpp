@@ -67,8 +67,9 @@ tracker::KeyframeTracker MakeTracker(const PinholeCamera& camera, const TrackerS
   const tracker::TrackerOptions preset = PresetOptions(setup.preset);
   tracker::TrackerOptions options = WithInitializer(preset, choice);
   options.seed = setup.seed;
-  return tracker::KeyframeTracker(camera, options, MakeBackend(setup.backend),
-                                  MakeInitializer(choice, preset), first_world_from_camera);
+  const std::shared_ptr<const tracker::Backend> backend = MakeBackend(setup.backend);
+  return tracker::KeyframeTracker(
+      camera, options, backend, MakeInitializer(choice, preset, backend), first_world_from_camera);
 }
 
 Json ToJson(const TrackerSetup& setup) {

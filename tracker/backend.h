@@ -49,6 +49,13 @@ struct ImagePair {
   const CurrentPyramid& current;
 };
 
+// Images that are made for one purpose.
+struct OwnedPair {
+  std::unique_ptr<const ReferencePyramid> reference;
+  std::unique_ptr<const CurrentPyramid> current;
+  ImagePair images() const { return {*reference, *current}; }
+};
+
 // A keyframe and where it stands: the pose that is sought is current_from_anchor, and the camera of
 // the reference sees a point of the anchor's frame through anchor_from_reference⁻¹.
 struct ReferenceView {
@@ -111,6 +118,15 @@ class Backend {
                                                                    const PinholeCamera&,
                                                                    const PyramidOptions&) const {
     return nullptr;
+  }
+
+  // Whether it makes smaller pictures of those that it holds; and the pyramids of both images of a
+  // pair, halved so many times, with all that was measured of the keyframe's depth and, if asked
+  // for, of the current one's where there is one.
+  virtual bool halves_what_it_holds() const { return false; }
+  virtual OwnedPair MakeHalved(const ImagePair&, int /*halvings*/, bool /*with_depth*/,
+                               const PyramidOptions&) const {
+    return {};
   }
 
   // The keyframe as the current camera sees it: its pixels whose points are hidden there have no

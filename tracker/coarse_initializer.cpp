@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "silt/tracker/coarse_initializer.h"
 
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -32,11 +33,11 @@ struct SmallPair {
   SmallPicture keyframe, current;
 };
 
-SmallPair Halved(const InitializerInput& input, int max_width) {
+SmallPair Halved(const InitializerInput& input, int halvings) {
   SmallPair pair{input.camera,
                  {input.keyframe.intensity, input.keyframe.frame.depth_m},
                  {input.intensity, input.current.depth_m}};
-  while (pair.camera.width > max_width) {
+  for (int i = 0; i < halvings; ++i) {
     pair.keyframe.Halve();
     pair.current.Halve();
     pair.camera = pair.camera.Halved();
@@ -44,44 +45,41 @@ SmallPair Halved(const InitializerInput& input, int max_width) {
   return pair;
 }
 
-// A pair of small pictures made ready for one stage.
-class Stage {
- public:
-  Stage(const Backend& backend, const SmallPair& pair, const AlignmentOptions& options)
-      : backend_(backend),
-        options_(options),
-        reference_(backend.MakeReference(pair.keyframe.intensity, pair.keyframe.depth_m,
-                                         pair.camera, options.Pyramids())),
-        current_(
-            backend.MakeCurrent(pair.current.intensity,
-                                options.use_current_depth ? pair.current.depth_m : Image<float>{},
-                                options.Pyramids())) {}
+// Makes pyramids of small pictures, with the current depth if asked for.
+using MakeSmall = std::function<OwnedPair(bool with_depth, const PyramidOptions&)>;
 
-  // Of the starts, the one that ends with pictures most alike; the first of equals.
-  AlignmentResult BestFrom(const std::vector<SE3d>& starts) const {
-    AlignmentResult best;
-    for (const SE3d& start : starts) {
-      AlignmentResult result = Align(backend_, {*reference_, *current_}, start, options_);
-      const bool better = result.ok && (!best.ok || result.final_cost().mean_square() <
-                                                        best.final_cost().mean_square());
-      if (better) best = std::move(result);
-    }
-    return best;
+MakeSmall FromHeld(const HeldImages& held, int halvings) {
+  return [held, halvings](bool with_depth, const PyramidOptions& options) {
+    return held.backend.MakeHalved(held.images, halvings, with_depth, options);
+  };
+}
+
+MakeSmall FromHost(const Backend& backend, SmallPair pair) {
+  return [&backend, pair = std::move(pair)](bool with_depth, const PyramidOptions& options) {
+    const auto& [camera, keyframe, current] = pair;
+    return OwnedPair{backend.MakeReference(keyframe.intensity, keyframe.depth_m, camera, options),
+                     backend.MakeCurrent(current.intensity,
+                                         with_depth ? current.depth_m : Image<float>{}, options)};
+  };
+}
+
+// Of the starts, the one that ends with pictures most alike; the first of equals.
+AlignmentResult BestFrom(const std::vector<SE3d>& starts, const Backend& backend,
+                         const OwnedPair& pair, const AlignmentOptions& options) {
+  std::vector<AlignmentStart> all;
+  for (const SE3d& start : starts) all.push_back({*pair.reference, *pair.current, start});
+  AlignmentResult best;
+  for (AlignmentResult& result : AlignBatch(backend, all, options)) {
+    const bool better = result.ok && (!best.ok || result.final_cost().mean_square() <
+                                                      best.final_cost().mean_square());
+    if (better) best = std::move(result);
   }
-
- private:
-  const Backend& backend_;
-  const AlignmentOptions& options_;
-  std::unique_ptr<const ReferencePyramid> reference_;
-  std::unique_ptr<const CurrentPyramid> current_;
-};
+  return best;
+}
 
 // Mean r² of the intensities of the small pictures, or nothing where they share no pixels.
-std::optional<double> Difference(const Backend& backend, const SmallPair& pair, const SE3d& pose) {
-  const auto reference =
-      backend.MakeReference(pair.keyframe.intensity, pair.keyframe.depth_m, pair.camera, {1});
-  const auto current = backend.MakeCurrent(pair.current.intensity, {}, {1});
-  const PhotometricCost cost = backend.Cost({*reference, *current}, 0, pose);
+std::optional<double> Difference(const Backend& backend, const OwnedPair& pair, const SE3d& pose) {
+  const PhotometricCost cost = backend.Cost(pair.images(), 0, pose);
   if (cost.pixels == 0) return {};
   return cost.mean_square();
 }
@@ -117,12 +115,20 @@ CoarseOptions WideStart() {
   return {160, {search, polish}, {{}, {turn, 0, 0}, {-turn, 0, 0}, {0, turn, 0}, {0, -turn, 0}}};
 }
 
-CoarseInitializer::CoarseInitializer(std::unique_ptr<const Backend> backend,
+CoarseInitializer::CoarseInitializer(std::shared_ptr<const Backend> backend,
                                      const CoarseOptions& options,
                                      std::unique_ptr<Initializer> other)
     : backend_(std::move(backend)), options_(options), other_(std::move(other)) {
   SILT_CHECK(backend_ != nullptr);
   options_.Validate();
+}
+
+bool CoarseInitializer::HalvesWhatIsHeldBy(const Backend& backend) const {
+  return &backend == backend_.get() && backend.halves_what_it_holds();
+}
+
+bool CoarseInitializer::needs_intensities(const Backend& backend) const {
+  return !HalvesWhatIsHeldBy(backend) || (other_ && other_->needs_intensities(backend));
 }
 
 InitialEstimate CoarseInitializer::Estimate(const InitializerInput& input) {
@@ -139,20 +145,27 @@ InitialEstimate CoarseInitializer::Estimate(const InitializerInput& input) {
 std::optional<SE3d> CoarseInitializer::Find(const InitializerInput& input,
                                             const std::optional<SE3d>& other) const {
   if (input.keyframe.frame.depth_m.empty()) return {};
-  const SmallPair pair = Halved(input, options_.max_width);
-  if (pair.camera.width < kSmallestSide || pair.camera.height < kSmallestSide) return {};
+  PinholeCamera camera = input.camera;
+  int halvings = 0;
+  for (; camera.width > options_.max_width; camera = camera.Halved()) ++halvings;
+  if (camera.width < kSmallestSide || camera.height < kSmallestSide) return {};
+  const bool held = input.held && HalvesWhatIsHeldBy(input.held->backend);
+  const MakeSmall make =
+      held ? FromHeld(*input.held, halvings) : FromHost(*backend_, Halved(input, halvings));
   std::vector<SE3d> starts;
   if (other) starts.push_back(*other);
   for (const Vec3d& turn : options_.turns_rad) {
     starts.push_back(SE3d{Quaterniond::Exp(turn), {}} * input.expected);
   }
   for (const AlignmentOptions& stage : options_.stages) {
-    const AlignmentResult result = Stage(*backend_, pair, stage).BestFrom(starts);
+    const OwnedPair pair = make(stage.use_current_depth, stage.Pyramids());
+    const AlignmentResult result = BestFrom(starts, *backend_, pair, stage);
     if (!result.ok) return {};
     starts = {result.current_from_reference};
   }
-  const std::optional<double> before = Difference(*backend_, pair, input.expected);
-  const std::optional<double> after = Difference(*backend_, pair, starts.front());
+  const OwnedPair plain = make(false, {1});
+  const std::optional<double> before = Difference(*backend_, plain, input.expected);
+  const std::optional<double> after = Difference(*backend_, plain, starts.front());
   if (!after || (before && *after >= *before)) return {};
   return starts.front();
 }

@@ -39,15 +39,19 @@ CoarseOptions WideStart();
 class CoarseInitializer : public Initializer {
  public:
   // `other` may be null. Throws silt::Error for invalid options.
-  CoarseInitializer(std::unique_ptr<const Backend> backend, const CoarseOptions& options,
+  CoarseInitializer(std::shared_ptr<const Backend> backend, const CoarseOptions& options,
                     std::unique_ptr<Initializer> other = nullptr);
 
+  // Small pictures are made where the backend holds the images already, if it can.
   InitialEstimate Estimate(const InitializerInput& input) override;
+  bool needs_intensities(const Backend& backend) const override;
 
  private:
   std::optional<SE3d> Find(const InitializerInput& input, const std::optional<SE3d>& other) const;
 
-  std::unique_ptr<const Backend> backend_;
+  bool HalvesWhatIsHeldBy(const Backend& backend) const;
+
+  std::shared_ptr<const Backend> backend_;
   CoarseOptions options_;
   std::unique_ptr<Initializer> other_;
 };

@@ -203,10 +203,11 @@ void KeyframeTracker::Accept(TrackedFrame* result) {
 bool KeyframeTracker::Initialize(int keyframe, const SE3d& expected, const Frame& frame,
                                  TrackedFrame* result) {
   if (!initializer_) return false;
-  MakeIntensities(keyframe, frame, result);
+  if (initializer_->needs_intensities(*backend_)) MakeIntensities(keyframe, frame, result);
   const Stopwatch watch(&result->times.initial_estimate_ms);
+  const HeldImages held{*backend_, {*references_[keyframe].pyramid, *current_}};
   result->initial = initializer_->Estimate(
-      {keyframes_[keyframe], frame, gray_, camera_, options_.seed, frame_index_, expected});
+      {keyframes_[keyframe], frame, gray_, camera_, options_.seed, frame_index_, expected, held});
   return result->initial.current_from_keyframe.has_value();
 }
 

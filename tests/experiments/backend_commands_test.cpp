@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "silt/core/trajectory.h"
 #include "silt/experiments/json.h"
+#include "silt/experiments/pose_difference.h"
 #include "silt/experiments/tracker_setup.h"
 #include "silt_program.h"
 
@@ -28,8 +30,7 @@ TEST(BackendCommands, CudaWithoutADeviceIsOneLine) {
   const ProgramResult result = RunSilt(kBatch + "--backend cuda");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out, "");
-  EXPECT_NE(result.error.find("--backend cuda"), std::string::npos);
-  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
+  ExpectOneLineError(result, "--backend cuda");
 }
 
 TEST(BackendCommands, AutoSaysWhatItTook) {
@@ -52,6 +53,88 @@ TEST(BackendCommands, BatchesAreMeasuredOnEveryBackend) {
     EXPECT_GT(json["batch"]["floor_operations"], json["batch"]["floor_bytes"]);
     EXPECT_EQ(json["batch"]["device_ms"].is_null(), backend == "cpu");
   }
+}
+
+// What a command writes for each backend: the CPU's first.
+std::vector<Json> OfEveryBackend(const std::string& command) {
+  std::vector<Json> all;
+  for (const std::string backend : {"cpu", "cuda-emulated"}) {
+    const TestFolder folder;
+    const std::string file = (folder / "out/convergence.json").string();
+    const bool experiment = command.rfind("experiment", 0) == 0;
+    const ProgramResult result =
+        RunSilt(command + " --backend " + backend + " --scene studio --width 64 " +
+                (experiment ? "--out " + (folder / "out").string() : "--json -"));
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    all.push_back(Json::parse(experiment ? ReadText(file) : result.out, nullptr, false));
+  }
+  return all;
+}
+
+TEST(BackendCommands, ConvergenceIsMeasuredOnEveryBackend) {
+  if (!HasCuda()) GTEST_SKIP() << "built without nvcc";
+  const std::vector<Json> all = OfEveryBackend(
+      "experiment convergence --quick --starts 3 --recovery-starts 2 --recovery-pairs 1 "
+      "--trials 0 --preset accurate");
+  const Json &cpu = all[0], &emulated = all[1];
+  EXPECT_EQ(cpu["manifest"]["config"]["basics"]["backend"], "cpu");
+  EXPECT_EQ(emulated["manifest"]["config"]["basics"]["backend"], "cuda-emulated");
+  ASSERT_EQ(cpu["levels"].size(), emulated["levels"].size());
+  for (std::size_t i = 0; i < cpu["levels"].size(); ++i) {
+    const double cost = cpu["levels"][i]["initial_cost"];
+    EXPECT_NEAR(emulated["levels"][i]["initial_cost"], cost, 1e-3 * cost);
+  }
+  int recovered = 0;
+  for (const char* rates : {"success_rates", "recovery"}) {
+    ASSERT_EQ(cpu[rates].size(), emulated[rates].size());
+    for (std::size_t i = 0; i < cpu[rates].size(); ++i) {
+      EXPECT_EQ(cpu[rates][i]["starts"], emulated[rates][i]["starts"]);
+      EXPECT_EQ(cpu[rates][i]["recovered"], emulated[rates][i]["recovered"]) << rates << i;
+      recovered += cpu[rates][i]["recovered"].get<int>();
+    }
+  }
+  EXPECT_GT(recovered, 0);
+}
+
+TEST(BackendCommands, TrackingIsMeasuredOnEveryBackend) {
+  if (!HasCuda()) GTEST_SKIP() << "built without nvcc";
+  const std::vector<Json> all = OfEveryBackend(
+      "bench track --gaps 1 --instants 1 --repeats 1 --threads 1 --preset accurate --preset fast");
+  for (const char* preset : {"accurate", "fast"}) {
+    const Json &cpu = all[0]["pairs"][preset], &emulated = all[1]["pairs"][preset];
+    EXPECT_EQ(cpu["lost"], 0);
+    EXPECT_EQ(emulated["lost"], 0);
+    EXPECT_GT(emulated["ms"], 0);
+    EXPECT_NEAR(emulated["t_mm"].get<double>(), cpu["t_mm"].get<double>(), 1e-2) << preset;
+  }
+  EXPECT_EQ(all[1]["manifest"]["config"]["bench"]["backend"], "cuda-emulated");
+}
+
+// Starts that are aligned of what the backend holds.
+TEST(BackendCommands, CoarseStartsLeadEveryBackendTheSameWay) {
+  if (!HasCuda()) GTEST_SKIP() << "built without nvcc";
+  const TestFolder folder;
+  std::vector<Trajectory> all;
+  for (const std::string backend : {"cpu", "cuda-emulated"}) {
+    const std::string file = (folder / (backend + ".txt")).string();
+    const ProgramResult result = RunSilt(
+        "track --scene studio --width 160 --spp 1 --fps 10 --duration 0.4 --init rotation "
+        "--preset fast --backend " +
+        backend + " --out " + file);
+    ASSERT_EQ(result.exit_code, 0) << result.error;
+    all.push_back(ReadTumTrajectory(file));
+  }
+  ASSERT_EQ(all[0].size(), 4u);
+  ASSERT_EQ(all[1].size(), 4u);
+  for (std::size_t i = 0; i < all[0].size(); ++i) {
+    const PoseDifference apart =
+        Difference(all[0][i].world_from_camera, all[1][i].world_from_camera);
+    EXPECT_LT(apart.distance_m, 1e-5) << i;
+    EXPECT_LT(apart.angle_deg, 1e-3) << i;
+  }
+  EXPECT_GT(
+      Difference(all[0].front().world_from_camera, all[0].back().world_from_camera).distance_m,
+      0.01);
 }
 
 }  // namespace

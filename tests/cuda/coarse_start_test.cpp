@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "silt/core/pyramid.h"
+#include "silt/tracker/coarse_initializer.h"
+#include "wavy_wall.h"
+
+// Coarse starts of images that a machine holds already, against those of images that it is given.
+namespace silt::cuda {
+namespace {
+
+using tracker::CoarseInitializer;
+using tracker::CoarseOptions;
+using tracker::OwnedPair;
+
+tracker::ResidualNorm Robust(bool use_depth) {
+  tracker::ResidualNorm norm;
+  norm.intensity = {8.0 / 255, 0.02, 1};
+  norm.inverse_depth = {0, 0.01, 1};
+  norm.use_depth = use_depth;
+  return norm;
+}
+
+class CoarseStartOn : public BackendTest {
+ protected:
+  // Edges left out of what is held come back.
+  Pair Held(bool with_depth = true) const { return MakePair(*block_, {3, 2, true}, with_depth); }
+
+  OwnedPair HalvedOnHost(int halvings, bool with_depth,
+                         const tracker::PyramidOptions& options) const {
+    Pictures reference = Scene({}), current = Scene(kPose);
+    PinholeCamera camera = kCamera;
+    for (int i = 0; i < halvings; ++i) {
+      for (Pictures* pictures : {&reference, &current}) {
+        *pictures = {HalvedIntensity(pictures->intensity), HalvedDepth(pictures->depth_m)};
+      }
+      camera = camera.Halved();
+    }
+    return {block_->MakeReference(reference.intensity, reference.depth_m, camera, options),
+            block_->MakeCurrent(current.intensity, with_depth ? current.depth_m : Image<float>{},
+                                options)};
+  }
+
+  // Without intensities where none are given.
+  std::optional<SE3d> Estimate(std::shared_ptr<const tracker::Backend> backend,
+                               const CoarseOptions& options, bool with_pictures,
+                               const std::optional<tracker::HeldImages>& held) const {
+    const Pictures reference = Scene({}), current = Scene(kPose);
+    tracker::Keyframe keyframe;
+    keyframe.frame.depth_m = reference.depth_m;
+    Frame frame;
+    Image<float> intensity;
+    if (with_pictures) {
+      keyframe.intensity = reference.intensity;
+      frame.depth_m = current.depth_m;
+      intensity = current.intensity;
+    }
+    return CoarseInitializer(std::move(backend), options)
+        .Estimate({keyframe, frame, intensity, kCamera, 0, 0, {}, held})
+        .current_from_keyframe;
+  }
+};
+INSTANTIATE_BACKENDS(CoarseStartOn);
+
+TEST_P(CoarseStartOn, SmallPicturesAreThoseOfTheHost) {
+  const Pair held = Held();
+  for (const int halvings : {0, 1, 2, 4}) {
+    for (const bool with_depth : {true, false}) {
+      const tracker::PyramidOptions options{2, halvings == 0 ? 1 : 0, with_depth};
+      ASSERT_TRUE(block_->halves_what_it_holds());
+      const OwnedPair halved = block_->MakeHalved(held.images(), halvings, with_depth, options);
+      const OwnedPair wanted = HalvedOnHost(halvings, with_depth, options);
+      EXPECT_EQ(halved.current->has_depth(), with_depth);
+      for (int level = 0; level < options.levels; ++level) {
+        const tracker::PyramidLevel &a = halved.reference->levels()[level],
+                                    &b = wanted.reference->levels()[level];
+        EXPECT_GT(a.measured_pixels, 0);
+        EXPECT_EQ(a.measured_pixels, b.measured_pixels);
+        EXPECT_EQ(a.camera.cx, b.camera.cx);
+        EXPECT_EQ(block_->Linearize(halved.images(), level, kPose, Robust(with_depth)),
+                  block_->Linearize(wanted.images(), level, kPose, Robust(with_depth)));
+      }
+    }
+  }
+}
+
+TEST_P(CoarseStartOn, StartsAreThoseOfTheHostsPictures) {
+  const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
+  const Pair pair = MakePair(*backend, {4, 1, true});
+  for (CoarseOptions options : {tracker::TurnAlone(), tracker::WideStart()}) {
+    for (tracker::AlignmentOptions& stage : options.stages) {
+      for (int& iterations : stage.max_iterations) iterations = std::min(iterations, 4);
+    }
+    options.max_width = 80;
+    const tracker::HeldImages held{*backend, pair.images()};
+    const auto on_machine = Estimate(backend, options, false, held);
+    const auto of_pictures = Estimate(backend, options, true, {});
+    const auto cpu = Estimate(tracker::MakeCpuBackend(), options, true, held);
+    ASSERT_TRUE(on_machine && of_pictures && cpu);
+    EXPECT_EQ(on_machine->translation.x, of_pictures->translation.x);
+    EXPECT_EQ(on_machine->rotation.x, of_pictures->rotation.x);
+    EXPECT_LT(Norm((*on_machine * cpu->Inverse()).Log().v), 1e-5);
+    EXPECT_LT(Norm((*on_machine * cpu->Inverse()).Log().omega), 1e-5);
+    EXPECT_GT(Norm(cpu->rotation.Log()), 0.02);
+  }
+}
+
+TEST_P(CoarseStartOn, OnlyWhatIsHeldElsewhereNeedsIntensities) {
+  const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
+  const CoarseInitializer coarse(backend, tracker::TurnAlone());
+  EXPECT_FALSE(coarse.needs_intensities(*backend));
+  EXPECT_TRUE(coarse.needs_intensities(*cpu_));
+  struct Features : tracker::Initializer {
+    tracker::InitialEstimate Estimate(const tracker::InitializerInput&) override { return {}; }
+  };
+  const CoarseInitializer both(backend, tracker::TurnAlone(), std::make_unique<Features>());
+  EXPECT_TRUE(both.needs_intensities(*backend));
+  const CoarseInitializer on_cpu(tracker::MakeCpuBackend(), tracker::TurnAlone());
+  EXPECT_TRUE(on_cpu.needs_intensities(*backend));
+}
+
+}  // namespace
+}  // namespace silt::cuda
