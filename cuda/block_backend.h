@@ -30,6 +30,12 @@ class BlockBackend : public tracker::Backend {
 
   std::string name() const override { return name_; }
 
+  void CheckHas(const tracker::AlignmentOptions& options) const override {
+    if (options.interpolant == tracker::Interpolant::kBilinear) return;
+    throw Error("alignment.interpolant: backend " + name_ +
+                " interpolates bilinearly alone; use backend cpu, or interpolant bilinear");
+  }
+
   std::unique_ptr<tracker::ReferencePyramid> MakeReference(
       const Image<float>& intensity, const Image<float>& depth_m, const PinholeCamera& camera,
       const tracker::PyramidOptions& options) const override {

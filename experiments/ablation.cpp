@@ -3,20 +3,26 @@
 #include "silt/experiments/ablation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "silt/core/error.h"
 #include "silt/core/formatted.h"
+#include "silt/core/io/sequence_format.h"
+#include "silt/experiments/association.h"
+#include "silt/experiments/evaluation.h"
+#include "silt/experiments/interrupt.h"
+#include "silt/experiments/tracking_run.h"
 
 namespace silt::experiments {
 namespace {
 
-std::string SpecOf(const std::string& preset, const Alternative& alternative) {
-  return alternative.changes.empty() ? preset : preset + ":" + alternative.changes;
-}
-
 AblationCell MeanOver(const std::vector<AccuracyRun>& runs, const std::string& sequence,
                       const std::string& preset) {
   AblationCell mean;
+  mean.sequence = sequence;
   int n = 0;
   for (const AccuracyRun& run : runs) {
     if (run.sequence.name != sequence || run.setup.preset != preset) continue;
@@ -33,18 +39,73 @@ AblationCell MeanOver(const std::vector<AccuracyRun>& runs, const std::string& s
   return mean;
 }
 
+// Hands each frame to one tracker after the other.
+std::vector<AblationCell> TrackAll(const std::filesystem::path& folder, const std::string& backend,
+                                   const std::vector<std::string>& presets) {
+  const auto sequence = OpenSequence("auto", folder);
+  const Trajectory& truth = sequence->truth();
+  if (truth.empty()) {
+    throw Error("ablation: " + folder.string() + " has no true poses to measure errors by");
+  }
+  const double start_s = sequence->times_s().front();
+  const SE3d first = truth[NearestIndex(Times(truth), start_s)].world_from_camera;
+  std::vector<std::unique_ptr<TrackingRun>> runs;
+  for (const std::string& preset : presets) {
+    const TrackerSetup setup{preset, backend};
+    runs.push_back(std::make_unique<TrackingRun>(sequence->camera(), setup, first));
+  }
+  while (const std::optional<Frame> frame = sequence->Next()) {
+    ThrowIfInterrupted();
+    for (const auto& run : runs) run->Track(*frame);
+  }
+  std::vector<AblationCell> cells;
+  for (const auto& run : runs) {
+    const TrackingResult result = run->Result();
+    const Evaluation evaluation = Evaluate(truth, result.estimate);
+    cells.push_back({folder.filename().string(), evaluation.paper.position_cm.rmse,
+                     100 * evaluation.aligned_m.rmse, 1, result.lost(),
+                     result.mean_times.total_ms});
+  }
+  return cells;
+}
+
+std::vector<AblationRow> RowsFor(const std::vector<Alternative>& alternatives) {
+  std::vector<AblationRow> rows{{{"", ""}, {}}};
+  for (const Alternative& alternative : alternatives) rows.push_back({alternative, {}});
+  return rows;
+}
+
+// What the trackers are called by.
+std::vector<std::string> SpecsOf(const std::string& preset, const std::vector<AblationRow>& rows) {
+  std::vector<std::string> specs;
+  for (const AblationRow& row : rows) {
+    const std::string& changes = row.alternative.changes;
+    specs.push_back(changes.empty() ? preset : preset + ":" + changes);
+  }
+  return specs;
+}
+
+// One cell for each row, the preset's own first.
+void AddCells(std::vector<AblationCell> cells, std::vector<AblationRow>* rows) {
+  const double own_cm = cells.front().position_rmse_cm;
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    cells[i].ratio = own_cm > 0 ? cells[i].position_rmse_cm / own_cm : 1;
+    (*rows)[i].cells.push_back(cells[i]);
+  }
+}
+
 std::string FormatRow(const AblationRow& row) {
   std::string changes = row.alternative.changes.empty() ? "as it is" : row.alternative.changes;
   std::replace(changes.begin(), changes.end(), ':', ' ');
   std::string line = "| " + changes + " | " + row.alternative.meaning + " |";
   double ms = 0;
   for (const AblationCell& cell : row.cells) {
-    line +=
-        Formatted(" %.4f (%.4f) | ×%.2f |", cell.position_rmse_cm, cell.ate_aligned_cm, cell.ratio);
-    if (cell.lost > 0) line.insert(line.size() - 2, Formatted(", %d lost", cell.lost));
+    line += Formatted(" %.4f ×%.2f", cell.position_rmse_cm, cell.ratio);
+    line += cell.lost > 0 ? Formatted(", %d lost |", cell.lost) : " |";
     ms += cell.ms_per_frame;
   }
-  return line + Formatted(" %.0f |\n", ms / double(std::max<std::size_t>(row.cells.size(), 1)));
+  return line + Formatted(" ×%.2f | %.1f |\n", row.MeanRatio(),
+                          ms / double(std::max<std::size_t>(row.cells.size(), 1)));
 }
 
 }  // namespace
@@ -70,6 +131,11 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
       {"take_last_step=0", "steps below the least are not taken"},
       {"coarser_update_norm=1", "coarse levels stop as late as fine ones"},
       {"min_update_norm=1e-6", "stops as late as the paper"},
+      {"start=previous", "starts where the last frame was"},
+      {"interpolant=catmull-rom", "cubics through 4×4 pixels"},
+      {"interpolant=b-spline", "cubic B-splines"},
+      {"depth_residual=0:interpolant=catmull-rom", "intensity alone, by cubics"},
+      {"depth_residual=0:interpolant=b-spline", "intensity alone, by B-splines"},
   };
   std::vector<Alternative> all;
   if (preset == "accurate") {
@@ -94,39 +160,51 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
            {"joint=3", "three keyframes at once"},
            {"max_distance_m=0.2", "keyframes farther apart"},
            {"initial_damping=0", "Gauss-Newton"},
+           {"interpolant=catmull-rom", "cubics through 4×4 pixels"},
+           {"interpolant=b-spline", "cubic B-splines"},
            {"max_iterations=6-6-10-10", "the iterations of `accurate`"}};
   }
   return all;
 }
 
+double AblationRow::MeanRatio() const {
+  double log_sum = 0;
+  for (const AblationCell& cell : cells) log_sum += std::log(cell.ratio);
+  return std::exp(log_sum / double(std::max<std::size_t>(cells.size(), 1)));
+}
+
 std::vector<AblationRow> RunAblation(const AccuracyOptions& accuracy, const std::string& preset,
                                      const std::vector<Alternative>& alternatives) {
-  std::vector<AblationRow> rows{{{"", ""}, {}}};
-  for (const Alternative& alternative : alternatives) rows.push_back({alternative, {}});
+  std::vector<AblationRow> rows = RowsFor(alternatives);
   AccuracyOptions options = accuracy;
-  options.presets.clear();
-  for (const AblationRow& row : rows) options.presets.push_back(SpecOf(preset, row.alternative));
+  options.presets = SpecsOf(preset, rows);
   const AccuracyResult result = RunAccuracy(options);
   for (const PaperSequence& sequence : PaperSequences()) {
-    for (AblationRow& row : rows) {
-      AblationCell cell = MeanOver(result.runs, sequence.name, SpecOf(preset, row.alternative));
-      const double own_cm = row.cells.size() < rows.front().cells.size()
-                                ? rows.front().cells.back().position_rmse_cm
-                                : cell.position_rmse_cm;
-      cell.ratio = own_cm > 0 ? cell.position_rmse_cm / own_cm : 1;
-      row.cells.push_back(cell);
+    std::vector<AblationCell> cells;
+    for (const std::string& spec : options.presets) {
+      cells.push_back(MeanOver(result.runs, sequence.name, spec));
     }
+    AddCells(cells, &rows);
+  }
+  return rows;
+}
+
+std::vector<AblationRow> RunAblation(const RecordedSequences& recorded, const std::string& preset,
+                                     const std::vector<Alternative>& alternatives) {
+  std::vector<AblationRow> rows = RowsFor(alternatives);
+  for (const std::filesystem::path& folder : recorded.folders) {
+    AddCells(TrackAll(folder, recorded.backend, SpecsOf(preset, rows)), &rows);
   }
   return rows;
 }
 
 std::string FormatMarkdown(const std::vector<AblationRow>& rows) {
   std::string header = "| changed | which means |", rule = "|---|---|";
-  for (const PaperSequence& sequence : PaperSequences()) {
-    header += " " + sequence.name + " | |";
-    rule += "---|---|";
+  for (const AblationCell& cell : rows.front().cells) {
+    header += " " + cell.sequence + " |";
+    rule += "---|";
   }
-  std::string table = header + " ms a frame |\n" + rule + "---|\n";
+  std::string table = header + " mean | ms a frame |\n" + rule + "---|---|\n";
   for (const AblationRow& row : rows) table += FormatRow(row);
   return table;
 }
@@ -134,10 +212,9 @@ std::string FormatMarkdown(const std::vector<AblationRow>& rows) {
 Json ToJson(const std::vector<AblationRow>& rows) {
   Json all = Json::array();
   for (const AblationRow& row : rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const AblationCell& cell = row.cells[i];
+    for (const AblationCell& cell : row.cells) {
       all.push_back({{"changed", row.alternative.changes},
-                     {"sequence", PaperSequences()[i].name},
+                     {"sequence", cell.sequence},
                      {"position_rmse_cm", cell.position_rmse_cm},
                      {"ratio", cell.ratio},
                      {"ate_aligned_cm", cell.ate_aligned_cm},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ std::vector<Alternative> AlternativesTo(const std::string& preset);
 
 // One sequence tracked with one alternative, or, of the empty one, as the preset is.
 struct AblationCell {
+  std::string sequence;
   double position_rmse_cm = 0, ate_aligned_cm = 0;
   double ratio = 1;  // of the position's RMSE to the preset's own
   int lost = 0;
@@ -29,12 +31,23 @@ struct AblationCell {
 
 struct AblationRow {
   Alternative alternative;
-  std::vector<AblationCell> cells;  // in the order of PaperSequences()
+  std::vector<AblationCell> cells;  // one per sequence
+
+  double MeanRatio() const;  // the geometric mean over the sequences
 };
 
 // `accuracy` says all but the trackers. The first row is the preset as it is. Errors are means over
 // the seeds.
 std::vector<AblationRow> RunAblation(const AccuracyOptions& accuracy, const std::string& preset,
+                                     const std::vector<Alternative>& alternatives);
+
+// The same on recorded sequences that have true poses, as `silt render` leaves them; the cells have
+// the names of the folders. Throws silt::Error for a folder without them.
+struct RecordedSequences {
+  std::vector<std::filesystem::path> folders;
+  std::string backend = "cpu";
+};
+std::vector<AblationRow> RunAblation(const RecordedSequences& recorded, const std::string& preset,
                                      const std::vector<Alternative>& alternatives);
 
 // A table for a page or a terminal.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the silt authors
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -25,6 +26,7 @@ struct Options {
   ExperimentBasics basics;
   std::string preset = "accurate", depth_sensor = "perfect";
   std::vector<std::string> changes;
+  std::vector<std::filesystem::path> folders;
   double start_s = 4, duration_s = 3;
   int seeds = 1;
 };
@@ -63,8 +65,13 @@ void Run(const Options& options, const Invocation& invocation) {
   const std::vector<Alternative> alternatives = Asked(options);
   OutputFolder folder(basics.out);
   const AccuracyOptions accuracy = AccuracyOf(options, basics);
-  const std::vector<AblationRow> rows = RunAblation(accuracy, options.preset, alternatives);
-  const Json config{{"accuracy", accuracy.ToJson()},
+  const bool recorded = !options.folders.empty();
+  const std::vector<AblationRow> rows =
+      recorded ? RunAblation({options.folders, basics.backend}, options.preset, alternatives)
+               : RunAblation(accuracy, options.preset, alternatives);
+  const Json source = recorded ? Json{{"folders", options.folders}, {"backend", basics.backend}}
+                               : accuracy.ToJson();
+  const Json config{{recorded ? "recorded" : "accuracy", source},
                     {"preset", options.preset},
                     {"options", ToJson(PresetOptions(options.preset))}};
   const Json manifest = MakeManifest(invocation.command_line, config, accuracy.seed);
@@ -88,6 +95,11 @@ void AddAblationExperiment(CLI::App& experiments, const Invocation& invocation) 
   command->add_option("--change", options->changes,
                       "What to try instead of the list that is known, such as joint=1 or "
                       "robust_scale=0:depth_residual=0; several with spaces");
+  command->add_option(
+      "--folder", options->folders,
+      "Track the sequences in these folders, several with spaces, instead of the\n"
+      "three: they are rendered once (silt render --format raw), and may be of any\n"
+      "scene and sensor");
   RequireNumber(command->add_option("--start", options->start_s, "Start of the stretch [s]")
                     ->capture_default_str(),
                 0, 1e6);
@@ -100,8 +112,9 @@ void AddAblationExperiment(CLI::App& experiments, const Invocation& invocation) 
   command->add_option("--depth-sensor", options->depth_sensor, "As silt experiment accuracy has it")
       ->capture_default_str();
   command->footer(
-      "Position RMSE in cm, first poses made equal (in brackets the ATE after alignment), and its\n"
-      "multiple of the preset's own. Times are of trackers that run one after another on the same\n"
+      "Position RMSE in cm, first poses made equal, and its multiple of the preset's own, of "
+      "which\n"
+      "`mean` is the geometric mean. Times are of trackers that run one after another on the same\n"
       "frames. Example: silt experiment ablation --preset fast --change joint=1 joint=2 --out abl");
   command->callback([options, &invocation] { Run(*options, invocation); });
 }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <type_traits>
 
 #include "silt/core/error.h"
 
@@ -30,6 +31,7 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("alignment", "robust_gradient", a.robust_gradient);
   visit("alignment", "scale_rounds", a.scale_rounds);
   visit("alignment", "depth_residual", a.depth_residual);
+  visit("alignment", "interpolant", a.interpolant);
   visit("alignment", "rotation_only", a.rotation_only);
   visit("alignment", "covariance_factor", a.covariance_factor);
   auto& k = o.keyframes;
@@ -55,13 +57,23 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("", "relocalization_candidates", o.relocalization_candidates);
 }
 
-struct NamedStart {
+// The values of an option that have names.
+template <typename T>
+struct Named {
   const char* name;
-  tracker::Start start;
+  T value;
 };
-constexpr NamedStart kStarts[] = {{"keyframe", tracker::Start::kKeyframe},
-                                  {"previous", tracker::Start::kPrevious},
-                                  {"constant-velocity", tracker::Start::kConstantVelocity}};
+constexpr Named<tracker::Start> kStarts[] = {
+    {"keyframe", tracker::Start::kKeyframe},
+    {"previous", tracker::Start::kPrevious},
+    {"constant-velocity", tracker::Start::kConstantVelocity}};
+constexpr Named<tracker::Interpolant> kInterpolants[] = {
+    {"bilinear", tracker::Interpolant::kBilinear},
+    {"catmull-rom", tracker::Interpolant::kCatmullRom},
+    {"b-spline", tracker::Interpolant::kBSpline}};
+
+constexpr const auto& NamesOf(tracker::Start) { return kStarts; }
+constexpr const auto& NamesOf(tracker::Interpolant) { return kInterpolants; }
 
 template <typename T>
 bool ParseNumber(const std::string& text, T& value) {
@@ -76,10 +88,11 @@ bool Parse(const std::string& text, bool& value) {
   value = text == "1";
   return value || text == "0";
 }
-bool Parse(const std::string& text, tracker::Start& value) {
-  for (const NamedStart& known : kStarts) {
+template <typename T, typename = std::enable_if_t<std::is_enum_v<T>>>
+bool Parse(const std::string& text, T& value) {
+  for (const auto& known : NamesOf(value)) {
     if (text != known.name) continue;
-    value = known.start;
+    value = known.value;
     return true;
   }
   return false;
@@ -93,15 +106,17 @@ bool Parse(const std::string& text, std::vector<int>& value) {
   return !value.empty();
 }
 
-const char* JsonOf(tracker::Start start) {
-  for (const NamedStart& known : kStarts) {
-    if (start == known.start) return known.name;
-  }
-  return "";
-}
 template <typename T>
-const T& JsonOf(const T& value) {
-  return value;
+auto JsonOf(const T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    const char* name = "";
+    for (const auto& known : NamesOf(value)) {
+      if (value == known.value) name = known.name;
+    }
+    return name;
+  } else {
+    return value;
+  }
 }
 
 void Change(tracker::TrackerOptions& options, const std::string& change,

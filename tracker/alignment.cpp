@@ -114,9 +114,11 @@ class Evaluation {
   std::vector<std::unique_ptr<ReferencePyramid>> visible_;  // the references, less hidden pixels
 };
 
-AlignmentJob JobOf(const std::vector<ReferenceView>& references, const CurrentPyramid& current,
-                   const SE3d& initial, const AlignmentOptions& options) {
+AlignmentJob JobOf(const Backend& backend, const std::vector<ReferenceView>& references,
+                   const CurrentPyramid& current, const SE3d& initial,
+                   const AlignmentOptions& options) {
   SILT_CHECK(!references.empty());
+  backend.CheckHas(options);
   for (const ReferenceView& reference : references) {
     SILT_CHECK(int(reference.pyramid.levels().size()) >= options.levels());
   }
@@ -160,7 +162,7 @@ AlignmentResult StepByStep(const Backend& backend, const AlignmentJob& job,
 AlignmentResult Align(const Backend& backend, const std::vector<ReferenceView>& references,
                       const CurrentPyramid& current, const SE3d& initial,
                       const AlignmentOptions& options) {
-  const AlignmentJob job = JobOf(references, current, initial, options);
+  const AlignmentJob job = JobOf(backend, references, current, initial, options);
   double milliseconds = 0;
   std::vector<FinishedAlignment> finished;
   {
@@ -185,7 +187,7 @@ std::vector<AlignmentResult> AlignBatch(const Backend& backend,
                                         const AlignmentOptions& options) {
   std::vector<AlignmentJob> jobs;
   for (const AlignmentStart& start : starts) {
-    jobs.push_back(JobOf({{start.reference, {}}}, start.current, start.initial, options));
+    jobs.push_back(JobOf(backend, {{start.reference, {}}}, start.current, start.initial, options));
     jobs.back().judged_level = -1;
   }
   const std::vector<FinishedAlignment> finished = backend.Run(jobs);

@@ -90,6 +90,9 @@ class Backend {
   virtual ~Backend() = default;
   virtual std::string name() const = 0;
 
+  // Throws silt::Error naming an option that this backend does not have.
+  virtual void CheckHas(const AlignmentOptions&) const {}
+
   // Intensity in [0, 1] and depth in metres, both of the camera's size.
   virtual std::unique_ptr<ReferencePyramid> MakeReference(const Image<float>& intensity,
                                                           const Image<float>& depth_m,

@@ -8,6 +8,7 @@
 #include "silt/core/error.h"
 #include "silt/tracker/cpu_preparation.h"
 #include "silt/tracker/cpu_reduction.h"
+#include "silt/tracker/spline_coefficients.h"
 #include "silt/tracker/visibility.h"
 
 namespace silt::tracker {
@@ -66,8 +67,10 @@ class CpuReference : public ReferencePyramid {
 // An intensity beside a depth edge is NaN, so that nothing is compared with it.
 class CpuCurrent : public CurrentPyramid {
  public:
-  CpuCurrent(const CpuPreparation& prepare, const Source& source, const PyramidOptions& options) {
+  CpuCurrent(const CpuPreparation& prepare, const Source& source, const PyramidOptions& options)
+      : interpolant(options.interpolant) {
     auto made = prepare.Make(source, options.levels, options.finest);
+    if (interpolant == Interpolant::kBSpline) TakeCoefficients(options.finest, &made.intensity);
     has_depth_ = source.depth_m != nullptr;
     CpuPreparation::Wanted wanted;
     wanted.inverse_depth = options.inverse_depth;
@@ -88,13 +91,21 @@ class CpuCurrent : public CurrentPyramid {
     OwnFinest(prepare, source);
   }
 
+  static void TakeCoefficients(int finest, CpuPyramid* intensity) {
+    for (std::size_t level = finest; level < intensity->size(); ++level) {
+      CpuLevel& at = (*intensity)[level];
+      at = std::make_shared<const Image<float>>(SplineCoefficients(*at));
+    }
+  }
+
   // What is still the source's.
   void OwnFinest(const CpuPreparation& prepare, const Source& source) {
     if (intensity[0].get() == source.gray && source.gray) intensity[0] = prepare.Own(*source.gray);
     if (has_depth_ && depth_m[0]) depth_m[0] = prepare.Own(*source.depth_m);
   }
 
-  CpuPyramid intensity;
+  const Interpolant interpolant;
+  CpuPyramid intensity;      // coefficients for a B-spline
   CpuPyramid depth_m;        // empty without a depth
   CpuPyramid inverse_depth;  // without the edges; empty unless asked for
 };
@@ -190,7 +201,8 @@ class CpuBackend : public Backend {
             *reference.depth_m[level],
             *current.intensity[level],
             current.has_depth() ? current.depth_m[level].get() : nullptr,
-            current.inverse_depth.empty() ? nullptr : current.inverse_depth[level].get()};
+            current.inverse_depth.empty() ? nullptr : current.inverse_depth[level].get(),
+            current.interpolant};
   }
 
   CpuReduction reduction_;

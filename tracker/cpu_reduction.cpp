@@ -28,6 +28,7 @@ simd::Kernels KernelsOf(SimdLevel level) {
 simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_reference,
                        const ResidualNorm& norm = {}) {
   const kernel::Warp<float> warp(kernel::Warp<double>(current_from_reference, images.camera));
+  const bool spline = images.interpolant == Interpolant::kBSpline;
   const Vec3f* r = warp.rotation.row;
   const Vec3f& t = warp.translation;
   return {images.camera.width,
@@ -46,7 +47,10 @@ simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_refer
           warp.inverse_fx,
           warp.inverse_fy,
           FloatNorm<simd::RobustBounds>(norm.intensity),
-          FloatNorm<simd::RobustBounds>(norm.inverse_depth)};
+          FloatNorm<simd::RobustBounds>(norm.inverse_depth),
+          images.interpolant != Interpolant::kBilinear,
+          spline ? 1.0f : 0.0f,
+          spline ? 0.0f : 0.5f};
 }
 
 using Sums = std::array<double, kSumCount>;
@@ -83,8 +87,9 @@ void AddStripes(const Sums* tile_sums, int tiles, Scatter* total) {
 // Sums over all rows: tile by tile in parallel, then the tiles in order.
 Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view, Scatter* scatter = nullptr) {
   Sums total{};
-  // No pixel of a smaller image has four pixels around it.
-  if (view.width < 2 || view.height < 2) return total;
+  // No pixel of a smaller image has all the pixels around it that it needs.
+  const int least = view.cubic ? 4 : 2;
+  if (view.width < least || view.height < least) return total;
   // Those of usual images need no memory to be found for them.
   std::array<Sums, 64> few{};
   std::vector<Sums> many(Tiles(view) > int(few.size()) ? Tiles(view) : 0);

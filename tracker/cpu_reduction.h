@@ -6,6 +6,7 @@
 #include "silt/core/image.h"
 #include "silt/core/se3.h"
 #include "silt/tracker/normal_equations.h"
+#include "silt/tracker/options.h"
 #include "silt/tracker/residual_norm.h"
 #include "silt/tracker/simd/kernels.h"
 #include "silt/tracker/simd_level.h"
@@ -20,6 +21,8 @@ struct LevelImages {
   const Image<float>& current_intensity;
   const Image<float>* current_depth_m = nullptr;
   const Image<float>* current_inverse_depth = nullptr;  // for residuals of it
+  // Of the current intensity, which is one of coefficients for a B-spline.
+  Interpolant interpolant = Interpolant::kBilinear;
 };
 
 // The sums over a level's pixels by one instruction set.

@@ -35,6 +35,7 @@ KeyframeTracker::KeyframeTracker(const PinholeCamera& camera, const TrackerOptio
       world_from_camera_(first_world_from_camera) {
   SILT_CHECK(backend_ != nullptr);
   options_.Validate();
+  backend_->CheckHas(options_.alignment);
 }
 
 KeyframeTracker::~KeyframeTracker() = default;

@@ -25,7 +25,7 @@ void CheckRange(const char* option, double value, double low, double high) {
 }  // namespace
 
 PyramidOptions AlignmentOptions::Pyramids() const {
-  PyramidOptions options{levels(), depth_edge_margin_px, depth_residual, 0};
+  PyramidOptions options{levels(), depth_edge_margin_px, depth_residual, 0, interpolant};
   while (options.finest + 1 < levels() && max_iterations[options.finest] == 0) ++options.finest;
   return options;
 }

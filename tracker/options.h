@@ -7,6 +7,9 @@
 
 namespace silt::tracker {
 
+// How an intensity between pixels is found: of four pixels, or, not the paper's, of sixteen.
+enum class Interpolant { kBilinear, kCatmullRom, kBSpline };
+
 // What is made of an image before it is aligned.
 struct PyramidOptions {
   int levels = 4;
@@ -14,6 +17,7 @@ struct PyramidOptions {
   bool inverse_depth = false;    // is compared too
   int finest = 0;  // levels above this one, counted from 0, serve only to be halved: a backend may
                    // keep nothing of them
+  Interpolant interpolant = Interpolant::kBilinear;
 };
 
 // Algorithm 1. Every Validate() throws silt::Error naming the option, its value and its range.
@@ -47,7 +51,8 @@ struct AlignmentOptions {
   // Residuals of the inverse depth beside those of the intensity, each kind in units of its own
   // scale; needs robust_scale and use_current_depth.
   bool depth_residual = false;
-  bool rotation_only = false;  // the translation stays as it is
+  Interpolant interpolant = Interpolant::kBilinear;  // of the current intensity
+  bool rotation_only = false;                        // the translation stays as it is
   // By which the covariance is larger than the residuals tell: both images are sampled and their
   // depth is interpolated, which moves a pose without leaving residuals. Measured, not derived:
   // with the presets', ξᵀC⁻¹ξ is 6 in the mean over noisy pairs of both paths of the office.

@@ -6,10 +6,12 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "silt/core/color.h"
+#include "silt/core/error.h"
 #include "silt/core/pyramid.h"
 #include "silt/tracker/alignment.h"
 #include "silt/tracker/depth_edges.h"
@@ -294,6 +296,19 @@ TEST(CudaBackend, WithoutADeviceIsOneClearLine) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "--backend cuda: no CUDA device is at hand; use --backend cpu");
   }
+}
+
+TEST_P(BlockBackendOn, WhatItLacksIsRefusedByName) {
+  tracker::AlignmentOptions options = tracker::AccuratePreset().alignment;
+  EXPECT_NO_THROW(block_->CheckHas(options));
+  options.interpolant = tracker::Interpolant::kCatmullRom;
+  try {
+    block_->CheckHas(options);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("alignment.interpolant: backend ", 0), 0u);
+  }
+  EXPECT_NO_THROW(cpu_->CheckHas(options));
 }
 
 }  // namespace

@@ -44,18 +44,47 @@ TEST(Ablation, RatiosAreToThePresetItself) {
 
 TEST(Ablation, TablesTellTheChangeAndTheLoss) {
   const std::vector<AblationRow> rows{
-      {{"", ""}, {{0.002, 0.001, 1, 0, 10}, {0.003, 0.001, 1, 0, 10}, {0.004, 0.001, 1, 0, 10}}},
+      {{"", ""}, {{"sharp", 0.002, 0.001, 1, 0, 10}, {"blur", 0.004, 0.001, 1, 0, 11}}},
       {{"joint=1:exclude_hidden=0", "why"},
-       {{0.004, 0.002, 2, 3, 6}, {0.003, 0.001, 1, 0, 6}, {0.002, 0.001, 0.5, 0, 6}}}};
+       {{"sharp", 0.004, 0.002, 2, 3, 6}, {"blur", 0.002, 0.001, 0.125, 0, 6}}}};
   const std::string table = FormatMarkdown(rows);
-  EXPECT_THAT(table, HasSubstr("| as it is |  | 0.0020 (0.0010) | ×1.00 |"));
-  EXPECT_THAT(table, HasSubstr("| joint=1 exclude_hidden=0 | why | 0.0040 (0.0020) | ×2.00, 3 lost "
-                               "| 0.0030 (0.0010) | ×1.00 | 0.0020 (0.0010) | ×0.50 | 6 |"));
+  EXPECT_THAT(table, HasSubstr("| sharp | blur | mean | ms a frame |"));
+  EXPECT_THAT(table, HasSubstr("| as it is |  | 0.0020 ×1.00 | 0.0040 ×1.00 | ×1.00 | 10.5 |"));
+  // √(2/8) = ½.
+  EXPECT_THAT(table, HasSubstr("| joint=1 exclude_hidden=0 | why | 0.0040 ×2.00, 3 lost | "
+                               "0.0020 ×0.12 | ×0.50 | 6.0 |"));
   const Json json = ToJson(rows);
-  ASSERT_EQ(json.size(), 6u);
-  EXPECT_EQ(json[3]["changed"], "joint=1:exclude_hidden=0");
-  EXPECT_EQ(json[3]["lost"], 3);
-  EXPECT_EQ(json[5]["sequence"], "60fps-blur");
+  ASSERT_EQ(json.size(), 4u);
+  EXPECT_EQ(json[2]["changed"], "joint=1:exclude_hidden=0");
+  EXPECT_EQ(json[2]["lost"], 3);
+  EXPECT_EQ(json[3]["sequence"], "blur");
+}
+
+// Those that a folder holds are tracked as they are when they are rendered on the way.
+TEST(AblationCommand, TakesRecordedSequences) {
+  const TestFolder folder;
+  const std::string raw = (folder / "twenty").string();
+  const ProgramResult rendered = RunSilt(
+      "render --scene studio --width 160 --fps 20 --duration 0.3 --format raw --out " + raw);
+  ASSERT_EQ(rendered.exit_code, 0) << rendered.error;
+  const RecordedSequences recorded{{folder / "twenty"}};
+  const auto rows = RunAblation(recorded, "fast", {{"max_iterations=0-0-0-1", "hardly a try"}});
+  AccuracyOptions accuracy;
+  accuracy.scene = "studio";
+  accuracy.width = 160;
+  accuracy.duration_s = 0.3;
+  const auto simulated = RunAblation(accuracy, "fast", {});
+  ASSERT_EQ(rows[0].cells.size(), 1u);
+  EXPECT_EQ(rows[0].cells[0].sequence, "twenty");
+  EXPECT_GT(rows[0].cells[0].position_rmse_cm, 0);
+  EXPECT_NEAR(rows[0].cells[0].position_rmse_cm, simulated[0].cells[0].position_rmse_cm, 1e-9);
+  EXPECT_GT(rows[1].cells[0].ratio, 1.5);
+
+  const ProgramResult missing =
+      RunSilt("experiment ablation --preset fast --folder " + (folder / "nothing").string() +
+              " --out " + (folder / "abl").string());
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_THAT(missing.error, HasSubstr("nothing"));
 }
 
 TEST(AblationCommand, WritesATableOfTheChangesAsked) {

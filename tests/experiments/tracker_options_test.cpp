@@ -24,7 +24,7 @@ TEST(TrackerOptions, APresetIsTakenAsItIs) {
 TEST(TrackerOptions, ChangesApplyToTheirOptionsAlone) {
   const auto options = PresetOptions(
       "accurate:joint=2:robust_scale=1.5:depth_residual=0:max_iterations=3-4:"
-      "always_initialize=1:start=keyframe:min_keyframe_overlap=0.3");
+      "always_initialize=1:start=keyframe:min_keyframe_overlap=0.3:interpolant=b-spline");
   tracker::TrackerOptions expected = tracker::AccuratePreset();
   expected.keyframes.joint = 2;
   expected.alignment.robust_scale = 1.5;
@@ -33,8 +33,10 @@ TEST(TrackerOptions, ChangesApplyToTheirOptionsAlone) {
   expected.always_initialize = true;
   expected.start = tracker::Start::kKeyframe;
   expected.keyframes.min_overlap = 0.3;
+  expected.alignment.interpolant = tracker::Interpolant::kBSpline;
   EXPECT_EQ(ToJson(options), ToJson(expected));
   EXPECT_EQ(options.keyframes.joint, 2);
+  EXPECT_EQ(options.alignment.interpolant, tracker::Interpolant::kBSpline);
   EXPECT_EQ(options.alignment.max_iterations, (std::vector<int>{3, 4}));
 }
 
@@ -45,6 +47,7 @@ TEST(TrackerOptions, JsonHasGroupsAndTypes) {
   EXPECT_EQ(json["keyframes"]["max_distance_m"], 0.13);
   EXPECT_EQ(json["always_initialize"], true);
   EXPECT_EQ(json["start"], "previous");
+  EXPECT_EQ(json["alignment"]["interpolant"], "bilinear");
   EXPECT_EQ(ToJson(tracker::FastPreset())["start"], "constant-velocity");
 }
 
@@ -73,6 +76,7 @@ TEST(TrackerOptions, WhatCannotBeIsNamed) {
   EXPECT_THAT(parse("fast:max_iterations=3--4"), ThrowsMessage<Error>(HasSubstr("gives the")));
   EXPECT_THAT(parse("fast:exclude_hidden=yes"), ThrowsMessage<Error>(HasSubstr("gives the")));
   EXPECT_THAT(parse("fast:start=there"), ThrowsMessage<Error>(HasSubstr("gives the")));
+  EXPECT_THAT(parse("fast:interpolant=cubic"), ThrowsMessage<Error>(HasSubstr("gives the")));
   EXPECT_THAT(parse("fast:robust_scale=nan"), ThrowsMessage<Error>(HasSubstr("robust_scale")));
 }
 

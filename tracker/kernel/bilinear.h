@@ -9,6 +9,7 @@ namespace silt::tracker::kernel {
 // The four pixels around a point: v10 lies one column right of v00, v01 one row below it.
 template <typename T>
 struct Taps {
+  static constexpr int kMargin = 0;  // pixels that must lie beyond the four
   T v00, v10, v01, v11;
 };
 
@@ -28,6 +29,11 @@ SILT_HOST_DEVICE inline Sample<T> Bilinear(const Taps<T>& taps, const T& a, cons
   const T twist = lower - upper;
   const T du = upper + b * twist;
   return {taps.v00 + b * left + a * du, du, left + a * twist};
+}
+
+template <typename T>
+SILT_HOST_DEVICE inline Sample<T> Interpolate(const Taps<T>& taps, const T& a, const T& b) {
+  return Bilinear(taps, a, b);
 }
 
 }  // namespace silt::tracker::kernel

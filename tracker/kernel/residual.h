@@ -15,17 +15,19 @@ namespace silt::tracker::kernel {
 // The first of the four pixels around W, and W's distance to it.
 template <typename T>
 struct ImagePoint {
-  T x, y;  // 0 where W is not in view
+  T x, y;  // the first that can be taken where W is not in view
   T a, b;  // in [0, 1); a is NaN where W is not in view, which makes the sample invalid
 };
 
 template <typename T>
-SILT_HOST_DEVICE inline ImagePoint<T> Locate(const WarpedPixel<T>& warped, int width, int height) {
+SILT_HOST_DEVICE inline ImagePoint<T> Locate(const WarpedPixel<T>& warped, int width, int height,
+                                             int margin = 0) {
   using std::floor;
-  const Mask<T> in_view = warped.front && warped.u >= T(0) && warped.v >= T(0) &&
-                          warped.u < T(width - 1) && warped.v < T(height - 1);
-  const T u = Select(in_view, warped.u, T(0));
-  const T v = Select(in_view, warped.v, T(0));
+  const T first(margin);
+  const Mask<T> in_view = warped.front && warped.u >= first && warped.v >= first &&
+                          warped.u < T(width - 1 - margin) && warped.v < T(height - 1 - margin);
+  const T u = Select(in_view, warped.u, first);
+  const T v = Select(in_view, warped.v, first);
   const T x = floor(u);
   const T y = floor(v);
   return {x, y, Select(in_view, u - x, T(std::numeric_limits<float>::quiet_NaN())), v - y};
@@ -35,19 +37,20 @@ SILT_HOST_DEVICE inline ImagePoint<T> Locate(const WarpedPixel<T>& warped, int w
 template <typename T>
 struct WarpedSample {
   Sample<T> sample;  // I_c(W) and ∇I_c(W)
-  Mask<T> valid;     // in front, and all four pixels around W inside the image and not NaN
+  Mask<T> valid;     // in front, and all pixels around W inside the image and not NaN
 };
 
-template <typename T>
-SILT_HOST_DEVICE inline WarpedSample<T> SampleAt(const ImagePoint<T>& point, const Taps<T>& taps) {
-  const Sample<T> sample = Bilinear(taps, point.a, point.b);
+template <typename T, typename AnyTaps>
+SILT_HOST_DEVICE inline WarpedSample<T> SampleAt(const ImagePoint<T>& point, const AnyTaps& taps) {
+  const Sample<T> sample = Interpolate(taps, point.a, point.b);
   return {sample, sample.value == sample.value};
 }
 
 template <typename T, typename Sampler>
 SILT_HOST_DEVICE inline WarpedSample<T> SampleCurrent(const WarpedPixel<T>& warped,
                                                       const Sampler& sampler) {
-  const ImagePoint<T> point = Locate(warped, sampler.width, sampler.height);
+  constexpr int margin = decltype(sampler(warped.u, warped.v))::kMargin;
+  const ImagePoint<T> point = Locate(warped, sampler.width, sampler.height, margin);
   return SampleAt(point, sampler(point.x, point.y));
 }
 

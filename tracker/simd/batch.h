@@ -43,18 +43,17 @@ struct BatchSampler {
 
   // Of a batch of indices.
   kernel::Taps<Batch> TapsAt(const std::int32_t* at) const {
-    const Pairs upper = Load(pixels, at), lower = Load(pixels + width, at);
+    const Pairs upper = PairsAt(pixels, at), lower = PairsAt(pixels + width, at);
     return {upper.left, upper.right, lower.left, lower.right};
   }
 
- private:
   struct Pairs {
     Batch left, right;  // pixels and their right neighbours
   };
 
   // The pairs of the even lanes come in one batch, left pixels in the lower halves of its words,
   // and those of the odd lanes in another.
-  static Pairs Load(const float* from, const std::int32_t* at) {
+  static Pairs PairsAt(const float* from, const std::int32_t* at) {
     using Words = xsimd::batch<std::uint64_t, Arch>;
     const Words even = xsimd::bitwise_cast<Words>(PairGather<Arch>::EverySecond(from, at));
     const Words odd = xsimd::bitwise_cast<Words>(PairGather<Arch>::EverySecond(from, at + 1));

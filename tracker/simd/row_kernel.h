@@ -9,6 +9,7 @@
 #include "silt/tracker/kernel/residual.h"
 #include "silt/tracker/kernel/robust_norm.h"
 #include "silt/tracker/kernel/visibility.h"
+#include "silt/tracker/simd/cubic_sampler.h"
 #include "silt/tracker/simd/kernels.h"
 
 namespace silt::tracker::simd {
@@ -35,7 +36,11 @@ class RowKernel {
     const RowKernel kernel(view);
     for (int y = begin; y < end; ++y) {
       RowSums row;
-      kernel.AddCostOfRow(y, &row);
+      if (view.cubic) {
+        kernel.AddCostOfRow(kernel.cubic_intensity_, y, &row);
+      } else {
+        kernel.AddCostOfRow(kernel.intensity_, y, &row);
+      }
       Add(row.value[kSquaresSum], sums->value[kSquaresSum]);
       Add(row.value[kCountSum], sums->value[kCountSum]);
     }
@@ -86,6 +91,7 @@ class RowKernel {
         warp_(MakeWarp(view)),
         intensity_{view.current_intensity, view.width, view.height},
         inverse_depth_{view.current_inverse_depth, view.width, view.height},
+        cubic_intensity_{intensity_, {view.cubic_b, view.cubic_c}},
         intensity_norm_(MakeNorm(view.intensity_norm)),
         inverse_depth_norm_(MakeNorm(view.inverse_depth_norm)),
         columns_(Columns()),
@@ -148,7 +154,11 @@ class RowKernel {
     Samples samples;
     Chunk chunk;
     WarpPixels(begin, end, y, &landings);
-    SamplePixels(intensity_, landings, end - begin, &samples);
+    if (view_.cubic) {
+      SamplePixels(cubic_intensity_, landings, end - begin, &samples);
+    } else {
+      SamplePixels(intensity_, landings, end - begin, &samples);
+    }
     LinearizeIntensities<kKind>({begin, end, y}, landings, samples, &chunk, row);
     AddAllProducts(chunk, end - begin, row);
     if constexpr (kKind == Residuals::kRobustWithDepth) {
@@ -161,7 +171,8 @@ class RowKernel {
   [[gnu::flatten, gnu::noinline]] void WarpPixels(int begin, int end, int y, Landings* to) const {
     for (int x = begin, at = 0; x < end; x += kBatch, at += kBatch) {
       const kernel::WarpedPixel<Batch> warped = kernel::WarpPixel(warp_, Pixels(x, y));
-      const kernel::ImagePoint<Batch> point = kernel::Locate(warped, view_.width, view_.height);
+      const kernel::ImagePoint<Batch> point =
+          kernel::Locate(warped, view_.width, view_.height, view_.cubic ? 1 : 0);
       warped.point.x.store_aligned(to->x + at);
       warped.point.y.store_aligned(to->y + at);
       warped.point.z.store_aligned(to->z + at);
@@ -172,13 +183,14 @@ class RowKernel {
     }
   }
 
-  [[gnu::flatten, gnu::noinline]] static void SamplePixels(const BatchSampler<Arch>& sampler,
+  template <typename Sampler>
+  [[gnu::flatten, gnu::noinline]] static void SamplePixels(const Sampler& sampler,
                                                            const Landings& landings, int pixels,
                                                            Samples* to) {
     for (int at = 0; at < pixels; at += kBatch) {
-      const kernel::Sample<Batch> sample = kernel::Bilinear(sampler.TapsAt(landings.index + at),
-                                                            Batch::load_aligned(landings.a + at),
-                                                            Batch::load_aligned(landings.b + at));
+      const kernel::Sample<Batch> sample = kernel::Interpolate(
+          sampler.TapsAt(landings.index + at), Batch::load_aligned(landings.a + at),
+          Batch::load_aligned(landings.b + at));
       sample.value.store_aligned(to->value + at);
       sample.du.store_aligned(to->du + at);
       sample.dv.store_aligned(to->dv + at);
@@ -301,10 +313,11 @@ class RowKernel {
     return Batch::load_aligned(values);
   }
 
-  [[gnu::flatten]] void AddCostOfRow(int y, RowSums* row) const {
+  template <typename Sampler>
+  [[gnu::flatten]] void AddCostOfRow(const Sampler& sampler, int y, RowSums* row) const {
     for (int x = 0; x < padded_width_; x += kBatch) {
       kernel::Mask<Batch> valid;
-      const Batch residual = kernel::Residual(warp_, intensity_, Pixels(x, y), &valid);
+      const Batch residual = kernel::Residual(warp_, sampler, Pixels(x, y), &valid);
       Add(residual * residual, row->value[kSquaresSum] + x % kLanes);
       Add(Ones(valid), row->value[kCountSum] + x % kLanes);
     }
@@ -320,6 +333,7 @@ class RowKernel {
   const LevelView& view_;
   const kernel::Warp<Batch> warp_;
   const BatchSampler<Arch> intensity_, inverse_depth_;
+  const CubicBatchSampler<Arch> cubic_intensity_;
   const kernel::RobustNorm<Batch> intensity_norm_, inverse_depth_norm_;
   const Batch columns_;  // 0, 1, 2, …
   const int padded_width_;

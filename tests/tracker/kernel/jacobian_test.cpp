@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "../analytic_room.h"
+#include "cubic_image_sampler.h"
 #include "silt/core/random.h"
 #include "silt/tracker/kernel/image_sampler.h"
 #include "silt/tracker/kernel/residual.h"
@@ -116,6 +117,37 @@ TEST_P(JacobianAt, OfTheInverseDepthAgreesToo) {
     }
   }
   EXPECT_GT(compared, 1000);
+}
+
+// The same residual through either cubic.
+TEST_P(JacobianAt, OfCubicInterpolantsAgreesToo) {
+  const SE3d pose = RandomPose(GetParam());
+  const View reference = RenderRoom({}), current = RenderRoom(pose.Inverse());
+  for (const float b : {0.0f, 1.0f}) {
+    const float c = (1 - b) / 2;
+    const CubicImageSampler<double> sampler{current.intensity, CubicKernel<double>(b, c)};
+    const CubicImageSampler<Jet> jet_sampler{current.intensity, CubicKernel<Jet>(b, c)};
+    const Warp<double> warp(pose, kSmallCamera);
+    const Warp<Jet> jet_warp(Perturbed(pose), kSmallCamera.Cast<Jet>());
+    int compared = 0;
+    for (int y = 0; y < 120; y += 3) {
+      for (int x = 0; x < 160; x += 3) {
+        const double z = reference.depth_m(x, y), i = reference.intensity(x, y);
+        const LinearizedResidual<double> l =
+            Linearize<double>(warp, sampler, {double(x), double(y), z, i});
+        bool valid = false;
+        const Jet r = Residual<Jet>(jet_warp, jet_sampler,
+                                    {Jet(double(x)), Jet(double(y)), Jet(z), Jet(i)}, &valid);
+        ASSERT_EQ(l.valid, valid);
+        if (!valid) continue;
+        ++compared;
+        const double scale = std::max(1.0, r.v.norm());
+        EXPECT_NEAR(l.residual, r.a, 1e-10 * scale);
+        for (int k = 0; k < 6; ++k) EXPECT_NEAR(l.jacobian[k], r.v[k], 1e-10 * scale) << k;
+      }
+    }
+    EXPECT_GT(compared, 1000);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Poses, JacobianAt, testing::Range(0, 5));
