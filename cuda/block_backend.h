@@ -31,9 +31,14 @@ class BlockBackend : public tracker::Backend {
   std::string name() const override { return name_; }
 
   void CheckHas(const tracker::AlignmentOptions& options) const override {
-    if (options.interpolant == tracker::Interpolant::kBilinear) return;
-    throw Error("alignment.interpolant: backend " + name_ +
-                " interpolates bilinearly alone; use backend cpu, or interpolant bilinear");
+    if (options.interpolant != tracker::Interpolant::kBilinear) {
+      throw Error("alignment.interpolant: backend " + name_ +
+                  " interpolates bilinearly alone; use backend cpu, or interpolant bilinear");
+    }
+    if (options.affine_brightness) {
+      throw Error("alignment.affine_brightness: backend " + name_ +
+                  " does not have it; use backend cpu, or leave it out");
+    }
   }
 
   std::unique_ptr<tracker::ReferencePyramid> MakeReference(

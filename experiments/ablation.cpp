@@ -132,6 +132,7 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
       {"coarser_update_norm=1", "coarse levels stop as late as fine ones"},
       {"min_update_norm=1e-6", "stops as late as the paper"},
       {"start=previous", "starts where the last frame was"},
+      {"affine_brightness=1", "a gain and an offset for each keyframe"},
       {"interpolant=catmull-rom", "cubics through 4×4 pixels"},
       {"interpolant=b-spline", "cubic B-splines"},
       {"depth_residual=0:interpolant=catmull-rom", "intensity alone, by cubics"},

@@ -32,6 +32,7 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("alignment", "scale_rounds", a.scale_rounds);
   visit("alignment", "depth_residual", a.depth_residual);
   visit("alignment", "interpolant", a.interpolant);
+  visit("alignment", "affine_brightness", a.affine_brightness);
   visit("alignment", "rotation_only", a.rotation_only);
   visit("alignment", "covariance_factor", a.covariance_factor);
   auto& k = o.keyframes;

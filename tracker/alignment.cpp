@@ -40,6 +40,7 @@ AlignmentPlan PlanOf(const std::vector<ReferenceView>& references, const Current
   plan.robust = options.robust();
   plan.use_depth = options.depth_residual && current.has_depth();
   plan.rotation_only = options.rotation_only;
+  plan.fit_brightness = options.affine_brightness;
   plan.keep_log = options.keep_log;
   plan.robust_scale = options.robust_scale;
   plan.robust_gradient = options.robust_gradient;
@@ -59,13 +60,19 @@ class Evaluation {
         references_(references),
         current_(current),
         exclude_hidden_(exclude_hidden),
-        visible_(references.size()) {}
+        visible_(references.size()),
+        brightness_(references.size()),
+        fitted_(references.size()) {}
 
   NormalEquations Compute(const LevenbergMarquardt& optimizer) {
     if (optimizer.starts_level() && exclude_hidden_) FindVisible(optimizer);
     if (optimizer.wanted() == LevenbergMarquardt::Wanted::kCost) return Cost(optimizer);
     return Linearized(optimizer);
   }
+
+  // The pose that was computed last is taken, and with it the brightness that fits there.
+  void TakeBrightness() { brightness_ = fitted_; }
+  const Brightness& brightness_of_first() const { return brightness_.front(); }
 
   AlignmentTimes times;
 
@@ -99,10 +106,14 @@ class Evaluation {
   NormalEquations Linearized(const LevenbergMarquardt& optimizer) {
     const Stopwatch watch(&times.jacobian_ms);
     NormalEquations sum;
+    ResidualNorm norm = optimizer.norm();
     for (std::size_t i = 0; i < references_.size(); ++i) {
-      sum += backend_.Linearize(VisiblePair(i), optimizer.level() - 1,
-                                optimizer.pose() * references_[i].anchor_from_reference,
-                                optimizer.norm());
+      norm.brightness = brightness_[i];
+      const NormalEquations equations =
+          backend_.Linearize(VisiblePair(i), optimizer.level() - 1,
+                             optimizer.pose() * references_[i].anchor_from_reference, norm);
+      fitted_[i] = equations.brightness;
+      sum += equations;
     }
     return sum;
   }
@@ -112,6 +123,7 @@ class Evaluation {
   const CurrentPyramid& current_;
   const bool exclude_hidden_;
   std::vector<std::unique_ptr<ReferencePyramid>> visible_;  // the references, less hidden pixels
+  std::vector<Brightness> brightness_, fitted_;             // of the references
 };
 
 AlignmentJob JobOf(const Backend& backend, const std::vector<ReferenceView>& references,
@@ -149,10 +161,12 @@ AlignmentResult StepByStep(const Backend& backend, const AlignmentJob& job,
     const int steps = optimizer.steps();
     const Stopwatch watch(&evaluation.times.update_ms);
     optimizer.Take(job.plan, equations);
+    if (options.affine_brightness && optimizer.took()) evaluation.TakeBrightness();
     if (options.keep_log && optimizer.steps() > steps) log.push_back(optimizer.last_step());
   }
   AlignmentResult result = ResultOf(FinishedAlignment{optimizer, {}, 0}, job, options);
   result.times = evaluation.times;
+  if (options.affine_brightness) result.brightness = evaluation.brightness_of_first();
   result.log = std::move(log);
   return result;
 }

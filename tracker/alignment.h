@@ -34,6 +34,7 @@ struct AlignmentResult {
   // Of ξ = (ω, v), applied on the left of the pose, which is to say in the current camera's frame.
   // Zeros where not ok.
   Covariance6 covariance{};
+  Brightness brightness;  // of the first reference, where options.affine_brightness
   // Of the residuals of judged_residuals.h, where the backend has found them on the way.
   std::optional<NormalEquations::Spread> judged;
   // By the clock of the device that ran it, with all that it was run with; 0: step by step.

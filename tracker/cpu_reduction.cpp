@@ -48,16 +48,19 @@ simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_refer
           warp.inverse_fy,
           FloatNorm<simd::RobustBounds>(norm.intensity),
           FloatNorm<simd::RobustBounds>(norm.inverse_depth),
+          float(norm.brightness.gain),
+          float(norm.brightness.offset),
+          norm.fit_brightness,
           images.interpolant != Interpolant::kBilinear,
           spline ? 1.0f : 0.0f,
           spline ? 0.0f : 0.5f};
 }
 
-using Sums = std::array<double, kSumCount>;
+using Sums = std::array<double, kAllSumCount>;
 
 // Adds the lanes of a tile in order.
 void AddTo(Sums* total, const simd::LaneSums& tile) {
-  for (int k = 0; k < kSumCount; ++k) {
+  for (int k = 0; k < kAllSumCount; ++k) {
     for (const double lane : tile.value[k]) (*total)[k] += lane;
   }
 }
@@ -79,7 +82,7 @@ using Scatter = std::array<double, 21>;
 void AddStripes(const Sums* tile_sums, int tiles, Scatter* total) {
   for (int first = 0; first < tiles; first += TilesOfStripe(tiles)) {
     for (int k = 0; k < int(total->size()); ++k) {
-      (*total)[k] += ScatterOf(tile_sums->data(), tiles, first, k);
+      (*total)[k] += ScatterOf(tile_sums->data(), tiles, first, k, kAllSumCount);
     }
   }
 }
@@ -100,7 +103,7 @@ Sums Reduce(simd::AddRows add_rows, const simd::LevelView& view, Scatter* scatte
     AddTo(&tiles[i], tile);
   });
   for (int i = 0; i < Tiles(view); ++i) {
-    for (int k = 0; k < kSumCount; ++k) total[k] += tiles[i][k];
+    for (int k = 0; k < kAllSumCount; ++k) total[k] += tiles[i][k];
   }
   if (scatter) AddStripes(tiles, Tiles(view), scatter);
   return total;
@@ -124,11 +127,15 @@ NormalEquations CpuReduction::Equations(const LevelImages& images,
                                         const SE3d& current_from_reference,
                                         const ResidualNorm& norm) const {
   SILT_CHECK(!norm.use_depth || images.current_inverse_depth != nullptr);
+  SILT_CHECK(!norm.fit_brightness || norm.robust());
   std::array<double, 21> scatter{};
   const Sums sums =
       Reduce(KernelFor(kernels_, norm), ViewOf(images, current_from_reference, norm), &scatter);
   NormalEquations equations = EquationsOf(sums.data(), norm);
   equations.scatter = scatter;
+  if (norm.fit_brightness) {
+    equations.brightness = FitBrightness(sums.data() + kBrightnessSum, norm.brightness);
+  }
   return equations;
 }
 

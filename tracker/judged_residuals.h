@@ -14,8 +14,9 @@ namespace silt::tracker {
 // kernel/robust_norm.h.
 inline constexpr double kInlierBound = 20.0 / 255;
 
-inline ResidualNorm JudgedNorm() {
+inline ResidualNorm JudgedNorm(const Brightness& brightness = {}) {
   ResidualNorm norm;
+  norm.brightness = brightness;
   norm.intensity.scale = kInlierBound;
   norm.intensity.gradient = 8.0 / 255;
   return norm;

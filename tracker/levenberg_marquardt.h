@@ -27,7 +27,7 @@ struct AlignmentPlan {
   bool scaled_damping = false;
   bool take_last_step = false;
   int scale_rounds = 0;
-  bool robust = false, use_depth = false, rotation_only = false;
+  bool robust = false, use_depth = false, rotation_only = false, fit_brightness = false;
   bool keep_log = false;  // computes the cost of the last step of a level too, which is not taken
   double robust_scale = 0, robust_gradient = 0;
   // MeanRobustSquare(robust_scale): what makes a scale of the residuals a standard deviation.
@@ -48,6 +48,7 @@ class LevenbergMarquardt {
       : pose_(initial), level_(plan.levels + 1) {
     norm_.intensity.gradient = plan.robust_gradient;
     norm_.use_depth = plan.use_depth;
+    norm_.fit_brightness = plan.fit_brightness;
     NextLevel(plan);
   }
 
@@ -60,6 +61,7 @@ class LevenbergMarquardt {
 
   // Of a cost, equations.cost alone counts.
   SILT_HOST_DEVICE void Take(const AlignmentPlan& plan, const NormalEquations& equations) {
+    took_ = phase_ != Phase::kTrial;
     if (phase_ == Phase::kTrial) return Judge(plan, equations);
     equations_ = equations;
     if (phase_ == Phase::kRelinearize) return Propose(plan);
@@ -71,6 +73,9 @@ class LevenbergMarquardt {
     }
     BeginLevel(plan);
   }
+
+  // Whether what was taken last was at the accepted pose, or at one that now is.
+  SILT_HOST_DEVICE bool took() const { return took_; }
 
   // The result, once nothing is wanted; where it has failed, `equations` are those of the failure.
   SILT_HOST_DEVICE AlignmentFailure failure() const { return failure_; }
@@ -184,6 +189,7 @@ class LevenbergMarquardt {
                          ? plan.take_last_step
                          : EnoughPixels(plan, trial.cost) && trial.cost.mean() < cost_.mean();
     ++steps_;
+    took_ = step_.accepted;
     last_step_ = step_;
     if (summary.converged) return TakeLastStep(plan);
     if (!step_.accepted) {
@@ -296,6 +302,7 @@ class LevenbergMarquardt {
   AlignmentLevel summaries_[kMaxPyramidLevels];
   AlignmentStep step_, last_step_;  // under way, and judged
   int level_ = 0, level_count_ = 0, rounds_ = 0, steps_ = 0;
+  bool took_ = false;
   Phase phase_ = Phase::kStart;
   Wanted wanted_ = Wanted::kNothing;
   AlignmentFailure failure_ = AlignmentFailure::kNone;

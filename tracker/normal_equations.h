@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "silt/core/host_device.h"
+#include "silt/tracker/residual_norm.h"
 
 namespace silt::tracker {
 
@@ -50,6 +51,8 @@ struct NormalEquations {
     }
   };
   Spread intensity, inverse_depth;
+  // Of one reference: what fits its residuals better than the norm's, where that is asked for.
+  Brightness brightness;
   bool operator==(const NormalEquations&) const = default;
 
   SILT_HOST_DEVICE NormalEquations& operator+=(const NormalEquations& other) {

@@ -48,6 +48,9 @@ void AlignmentOptions::Validate() const {
   if (depth_residual && !(use_current_depth && robust_scale > 0)) {
     throw Error("alignment.depth_residual needs use_current_depth, and robust_scale above 0");
   }
+  if (affine_brightness && robust_scale == 0) {
+    throw Error("alignment.affine_brightness needs robust_scale above 0");
+  }
 }
 
 void KeyframeOptions::Validate() const {

@@ -52,7 +52,10 @@ struct AlignmentOptions {
   // scale; needs robust_scale and use_current_depth.
   bool depth_residual = false;
   Interpolant interpolant = Interpolant::kBilinear;  // of the current intensity
-  bool rotation_only = false;                        // the translation stays as it is
+  // Compares each keyframe's intensity with a gain and an offset of its own, which are found on the
+  // way, in closed form at each pose; needs robust_scale.
+  bool affine_brightness = false;
+  bool rotation_only = false;  // the translation stays as it is
   // By which the covariance is larger than the residuals tell: both images are sampled and their
   // depth is interpolated, which moves a pose without leaving residuals. Measured, not derived:
   // with the presets', ξᵀC⁻¹ξ is 6 in the mean over noisy pairs of both paths of the office.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "silt/core/host_device.h"
@@ -41,16 +42,29 @@ SILT_HOST_DEVICE inline NormalEquations EquationsOf(const double* sums, const Re
   return equations;
 }
 
+// The gain and the offset of kernel/brightness.h, from its sums; where all pixels have about the
+// same intensity the gain stays.
+inline Brightness FitBrightness(const double* sums, const Brightness& before) {
+  const double w = sums[0], wi = sums[1], wii = sums[2], wr = sums[3], wri = sums[4];
+  if (!(w > 0)) return before;
+  constexpr double kLeastVariance = 1e-5, kLeastGain = 0.05, kMostGain = 20;
+  const double variance = wii / w - wi / w * (wi / w);
+  const double change = variance > kLeastVariance ? (wri / w - wi / w * (wr / w)) / variance : 0;
+  const double gain = std::clamp(before.gain + change, kLeastGain, kMostGain);
+  return {gain, before.offset + (wr - (gain - before.gain) * wi) / w};
+}
+
 // Element k of g·gᵀ of the gradient g of the stripe that begins with tile `first`, in the order of
-// NormalEquations::scatter; `tile_sums` holds kSumCount of each tile.
-SILT_HOST_DEVICE inline double ScatterOf(const double* tile_sums, int tiles, int first, int k) {
+// NormalEquations::scatter; `tile_sums` holds `stride` of each tile, kSumCount first.
+SILT_HOST_DEVICE inline double ScatterOf(const double* tile_sums, int tiles, int first, int k,
+                                         int stride = kSumCount) {
   int row = 0;
   for (; k >= 6 - row; ++row) k -= 6 - row;
   const int end = first + TilesOfStripe(tiles) < tiles ? first + TilesOfStripe(tiles) : tiles;
   double g = 0, h = 0;
   for (int tile = first; tile < end; ++tile) {
-    g += tile_sums[tile * kSumCount + kGradientSum + row];
-    h += tile_sums[tile * kSumCount + kGradientSum + row + k];
+    g += tile_sums[tile * stride + kGradientSum + row];
+    h += tile_sums[tile * stride + kGradientSum + row + k];
   }
   return g * h;
 }

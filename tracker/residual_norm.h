@@ -13,10 +13,18 @@ struct RobustBounds {
   double weight = 1;    // of these residuals among others
 };
 
+// The reference's intensity I counts as gain·I + offset: exposures differ.
+struct Brightness {
+  double gain = 1, offset = 0;
+  bool operator==(const Brightness&) const = default;
+};
+
 struct ResidualNorm {
   RobustBounds intensity;      // intensity, and intensity per pixel
   RobustBounds inverse_depth;  // 1/m, and 1/m per pixel
   bool use_depth = false;      // residuals of the inverse depth as well
+  Brightness brightness;
+  bool fit_brightness = false;  // finds one that fits better; of a robust norm
 
   SILT_HOST_DEVICE bool robust() const {
     return use_depth || intensity.gradient > 0 || intensity.scale > 0;

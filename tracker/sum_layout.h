@@ -10,6 +10,10 @@ namespace silt::tracker {
 inline constexpr int kGradientSum = 21, kSquaresSum = 27, kCountSum = 28, kRobustSum = 29,
                      kDepthCountSum = 30, kDepthRobustSum = 31, kSumCount = 32;
 
+// And behind them, on the CPU alone, those of kernel/brightness.h.
+inline constexpr int kBrightnessSum = kSumCount, kBrightnessSumCount = 5,
+                     kAllSumCount = kSumCount + kBrightnessSumCount;
+
 // Rows of a tile, the unit of work.
 inline constexpr int kTileRows = 8;
 

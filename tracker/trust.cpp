@@ -16,11 +16,12 @@ namespace {
 double InlierRatio(const Backend& backend, const ImagePair& pair,
                    const AlignmentResult& alignment) {
   const NormalEquations::Spread spread =
-      alignment.judged ? *alignment.judged
-                       : backend
-                             .Linearize(pair, JudgedLevel(pair.reference),
-                                        alignment.current_from_reference, JudgedNorm())
-                             .intensity;
+      alignment.judged
+          ? *alignment.judged
+          : backend
+                .Linearize(pair, JudgedLevel(pair.reference), alignment.current_from_reference,
+                           JudgedNorm(alignment.brightness))
+                .intensity;
   if (spread.count == 0) return 0;
   return 1 - spread.squares / double(spread.count) / (kInlierBound * kInlierBound);
 }
@@ -77,7 +78,10 @@ PoseEvidence EvidenceOf(const Backend& backend, const std::vector<ReferenceView>
   }
   PoseEvidence evidence;
   evidence.overlap = double(finest.final_cost.pixels) / std::max(measured, 1.0);
-  evidence.unexplained_variance = finest.final_cost.mean_square() / content.variance;
+  // As the current exposure has it: a picture of nothing is matched by a gain near 0.
+  const double gain = alignment.brightness.gain;
+  evidence.unexplained_variance =
+      finest.final_cost.mean_square() / (gain * gain * content.variance);
   evidence.depth_disagreement = alignment.inverse_depth_scale / content.mean_inverse_depth;
   evidence.inlier_ratio = InlierRatio(backend, {references.front().pyramid, current}, alignment);
   evidence.uncertainty_rad = LargestDeviation(alignment.covariance, content.mean_inverse_depth);

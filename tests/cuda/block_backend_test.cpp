@@ -309,6 +309,10 @@ TEST_P(BlockBackendOn, WhatItLacksIsRefusedByName) {
     EXPECT_EQ(std::string(error.what()).rfind("alignment.interpolant: backend ", 0), 0u);
   }
   EXPECT_NO_THROW(cpu_->CheckHas(options));
+  options.interpolant = tracker::Interpolant::kBilinear;
+  options.affine_brightness = true;
+  EXPECT_THROW(block_->CheckHas(options), Error);
+  EXPECT_NO_THROW(cpu_->CheckHas(options));
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST(CpuBackend, TheGradientIsThatOfTheCost) {
 TEST(CpuBackend, RobustEquationsAreTheWeightedSums) {
   const Pair pair = RoomPair(kSmallCamera, 1);
   const SE3d pose = SE3d::Exp({{0.004, 0.003, -0.002}, {0.01, -0.01, 0.02}}) * kMotion;
-  const ResidualNorm norm{{0.02, 0.01}, {}, false};
+  const ResidualNorm norm{{0.02, 0.01}, {}, false, {}};
   const kernel::RobustNorm<double> bounds{1 / (0.02 * 0.02), 1 / (0.01 * 0.01)};
   const kernel::Warp<double> warp(pose, pair.camera);
   const kernel::ImageSampler<double> sampler{pair.current.intensity.data(), 160, 120};
@@ -161,7 +161,7 @@ TEST(CpuBackend, DepthResidualsAddTheirShare) {
   const auto current =
       pair.backend->MakeCurrent(pair.current.intensity, pair.current.depth_m, {1, 0, true});
   const auto linearize = [&](const SE3d& at, double weight) {
-    const ResidualNorm norm{{0, 0}, {0, 0, weight}, true};
+    const ResidualNorm norm{{0, 0}, {0, 0, weight}, true, {}};
     return pair.backend->Linearize({*pair.reference_pyramid, *current}, 0, at, norm);
   };
   const NormalEquations both = linearize(pose, 9), intensity = linearize(pose, 0);

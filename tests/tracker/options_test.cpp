@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "alignment.robust_scale is nan"},
         BadOption{"depth_residual", [](TrackerOptions* o) { o->alignment.depth_residual = true; },
                   "alignment.depth_residual needs use_current_depth"},
+        BadOption{"brightness", [](TrackerOptions* o) { o->alignment.affine_brightness = true; },
+                  "alignment.affine_brightness needs robust_scale"},
         BadOption{"keyframe_overlap", [](TrackerOptions* o) { o->keyframes.min_overlap = 1.5; },
                   "keyframes.min_overlap is 1.5; give a number from 0 to 1"},
         BadOption{"joint", [](TrackerOptions* o) { o->keyframes.joint = 0; },

@@ -33,8 +33,8 @@ Image<float> VisibleDepth(const CpuReduction& reduction, const LevelImages& imag
   return visible;
 }
 
-constexpr ResidualNorm kNorm{{0.03, 0.05}, {}, false};
-constexpr ResidualNorm kDepthNorm{{0.03, 0.05}, {0, 0.01, 25}, true};
+constexpr ResidualNorm kNorm{{0.03, 0.05}, {}, false, {}};
+constexpr ResidualNorm kDepthNorm{{0.03, 0.05}, {0, 0.01, 25}, true, {}};
 
 // A width that leaves lanes of a block and of every batch empty, and one that leaves none.
 TEST(SimdLevel, AllGiveTheSameBits) {

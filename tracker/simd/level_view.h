@@ -30,13 +30,15 @@ struct LevelView {
   float rotation[9], translation[3];   // current_from_reference, row by row
   float fx, fy, cx, cy, inverse_fx, inverse_fy;
   RobustBounds intensity_norm, inverse_depth_norm;
+  float gain, offset;  // of the reference's intensity
+  bool fit_brightness;
   bool cubic;  // the intensity is interpolated over 4×4 pixels, and no level is smaller,
   float cubic_b, cubic_c;  // by this kernel of kernel/bicubic.h
 };
 
 // Sums over some rows, lane by lane: single precision within a row, double from row to row.
 struct LaneSums {
-  double value[kSumCount][kLanes] = {};
+  double value[kAllSumCount][kLanes] = {};
 };
 
 }  // namespace silt::tracker::simd

@@ -6,6 +6,7 @@
 
 #include "silt/tracker/simd/batch.h"
 // The kernels use what batch.h declares.
+#include "silt/tracker/kernel/brightness.h"
 #include "silt/tracker/kernel/residual.h"
 #include "silt/tracker/kernel/robust_norm.h"
 #include "silt/tracker/kernel/visibility.h"
@@ -83,7 +84,7 @@ class RowKernel {
     alignas(64) float column[7][kChunk];
   };
   struct RowSums {
-    alignas(64) float value[kSumCount][kLanes] = {};
+    alignas(64) float value[kAllSumCount][kLanes] = {};
   };
 
   explicit RowKernel(const LevelView& view)
@@ -94,6 +95,7 @@ class RowKernel {
         cubic_intensity_{intensity_, {view.cubic_b, view.cubic_c}},
         intensity_norm_(MakeNorm(view.intensity_norm)),
         inverse_depth_norm_(MakeNorm(view.inverse_depth_norm)),
+        exposed_{Batch(view.gain), Batch(view.offset)},
         columns_(Columns()),
         padded_width_((view.width + kLanes - 1) / kLanes * kLanes) {}
 
@@ -143,7 +145,8 @@ class RowKernel {
     for (int y = begin; y < end; ++y) {
       RowSums row;
       for (int x = 0; x < padded_width_; x += kChunk) AddChunk<kKind>(x, y, &row);
-      for (int k = 0; k < kSumCount; ++k) Add(row.value[k], sums->value[k]);
+      const int all = view_.fit_brightness ? kAllSumCount : kSumCount;
+      for (int k = 0; k < all; ++k) Add(row.value[k], sums->value[k]);
     }
   }
 
@@ -160,6 +163,7 @@ class RowKernel {
       SamplePixels(intensity_, landings, end - begin, &samples);
     }
     LinearizeIntensities<kKind>({begin, end, y}, landings, samples, &chunk, row);
+    if (view_.fit_brightness) AddBrightness({begin, end, y}, samples, row);
     AddAllProducts(chunk, end - begin, row);
     if constexpr (kKind == Residuals::kRobustWithDepth) {
       SamplePixels(inverse_depth_, landings, end - begin, &samples);
@@ -224,8 +228,9 @@ class RowKernel {
                                                             RowSums* row) const {
     const float* intensity = view_.reference_intensity + pixels.y * view_.width;
     for (int x = pixels.begin, at = 0; x < pixels.end; x += kBatch, at += kBatch) {
-      kernel::LinearizedResidual<Batch> r = kernel::LinearizeIntensity(
-          warp_, WarpedAt(landings, at), SampleAt(samples, at), Load(intensity, x, view_.width));
+      kernel::LinearizedResidual<Batch> r =
+          kernel::LinearizeIntensity(warp_, WarpedAt(landings, at), SampleAt(samples, at),
+                                     exposed_(Load(intensity, x, view_.width)));
       const int lane = at % kLanes;
       Add(r.residual * r.residual, row->value[kSquaresSum] + lane);
       Add(Ones(r.valid), row->value[kCountSum] + lane);
@@ -233,6 +238,18 @@ class RowKernel {
         Add(kernel::Weigh(intensity_norm_, &r), row->value[kRobustSum] + lane);
       }
       Store(r, at, to);
+    }
+  }
+
+  [[gnu::flatten, gnu::noinline]] void AddBrightness(const Span& pixels, const Samples& samples,
+                                                     RowSums* row) const {
+    const float* intensity = view_.reference_intensity + pixels.y * view_.width;
+    for (int x = pixels.begin, at = 0; x < pixels.end; x += kBatch, at += kBatch) {
+      const auto terms = kernel::TermsOf(intensity_norm_, SampleAt(samples, at),
+                                         Load(intensity, x, view_.width), exposed_);
+      for (int k = 0; k < kBrightnessSumCount; ++k) {
+        Add(terms.value[k], row->value[kBrightnessSum + k] + at % kLanes);
+      }
     }
   }
 
@@ -335,6 +352,7 @@ class RowKernel {
   const BatchSampler<Arch> intensity_, inverse_depth_;
   const CubicBatchSampler<Arch> cubic_intensity_;
   const kernel::RobustNorm<Batch> intensity_norm_, inverse_depth_norm_;
+  const kernel::Exposed<Batch> exposed_;
   const Batch columns_;  // 0, 1, 2, …
   const int padded_width_;
 };
