@@ -39,11 +39,12 @@ std::string FormatCsv(const Json& rows) {
   }
   for (const Json& row : rows) {
     SILT_CHECK(row.size() == rows.front().size());
-    std::string line;
+    const char* separator = "";
     for (const auto& [key, value] : rows.front().items()) {
-      line += (line.empty() ? "" : ",") + Cell(row.at(key));
+      lines += separator + Cell(row.at(key));
+      separator = ",";
     }
-    lines += line + "\n";
+    lines += "\n";
   }
   return header + "\n" + lines;
 }

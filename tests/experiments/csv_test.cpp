@@ -16,6 +16,10 @@ TEST(Csv, HasTheKeysAsHeaderAndALinePerObject) {
   EXPECT_EQ(FormatCsv(rows), "name,n,x,ok,none\na,3,0.1,true,\nb,-1,1e-12,false,2.5\n");
 }
 
+TEST(Csv, AnEmptyFirstCellIsACell) {
+  EXPECT_EQ(FormatCsv(Json::array({{{"changed", ""}, {"n", 3}}})), "changed,n\n,3\n");
+}
+
 TEST(Csv, QuotesWhatWouldBreakALine) {
   const Json rows = Json::array({{{"a,b", "say \"no\"\nnow"}}});
   EXPECT_EQ(FormatCsv(rows), "\"a,b\"\n\"say \"\"no\"\"\nnow\"\n");

@@ -33,6 +33,11 @@ INSTANTIATE_TEST_SUITE_P(Sizes, SplineCoefficientsOf,
                          testing::Values(std::pair{64, 48}, std::pair{37, 21}, std::pair{4, 5},
                                          std::pair{5, 33}));
 
+// To the borders, beyond which they go on as in a mirror.
+TEST(SplineCoefficients, OfOneIntensityAreIt) {
+  for (const float c : SplineCoefficients(Image<float>(37, 21, 0.5f))) EXPECT_NEAR(c, 0.5, 1e-6);
+}
+
 TEST(SplineCoefficients, OfASingleRowAreItself) {
   Image<float> row(7, 1);
   row(3, 0) = 1;
