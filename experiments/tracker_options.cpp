@@ -33,6 +33,7 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("alignment", "depth_residual", a.depth_residual);
   visit("alignment", "interpolant", a.interpolant);
   visit("alignment", "affine_brightness", a.affine_brightness);
+  visit("alignment", "depth_patch_px", a.depth_patch_px);
   visit("alignment", "rotation_only", a.rotation_only);
   visit("alignment", "covariance_factor", a.covariance_factor);
   auto& k = o.keyframes;
@@ -43,6 +44,8 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("keyframes", "joint", k.joint);
   visit("keyframes", "trusted_only", k.trusted_only);
   visit("keyframes", "min_keyframe_overlap", k.min_overlap);
+  visit("keyframes", "stale_share", k.stale_share);
+  visit("keyframes", "polish_iterations", k.polish_iterations);
   auto& t = o.trust;
   visit("trust", "max_unexplained_variance", t.max_unexplained_variance);
   visit("trust", "max_depth_disagreement", t.max_depth_disagreement);

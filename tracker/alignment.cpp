@@ -41,6 +41,7 @@ AlignmentPlan PlanOf(const std::vector<ReferenceView>& references, const Current
   plan.use_depth = options.depth_residual && current.has_depth();
   plan.rotation_only = options.rotation_only;
   plan.fit_brightness = options.affine_brightness;
+  plan.depth_patch_px = options.depth_patch_px;
   plan.keep_log = options.keep_log;
   plan.robust_scale = options.robust_scale;
   plan.robust_gradient = options.robust_gradient;

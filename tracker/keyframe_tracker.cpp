@@ -22,6 +22,12 @@ void CheckSize(const char* what, int width, int height, const PinholeCamera& cam
               "; give images of the camera's size");
 }
 
+void AddTimes(const AlignmentTimes& times, StageTimes* sum) {
+  sum->residual_ms += times.residual_ms;
+  sum->jacobian_ms += times.jacobian_ms;
+  sum->update_ms += times.update_ms;
+}
+
 }  // namespace
 
 KeyframeTracker::KeyframeTracker(const PinholeCamera& camera, const TrackerOptions& options,
@@ -65,7 +71,11 @@ TrackedFrame KeyframeTracker::TrackGiven(const Given& given,
       foretold_ = expected_world_from_camera.has_value() || velocity_.has_value();
       Localize(frame, expected, &result);
     }
-    if (NeedsNewKeyframe(result)) MakeKeyframe(given, &result);
+    if (NeedsNewKeyframe(result)) {
+      RetireStale(result);
+      Polish(frame, &result);
+      MakeKeyframe(given, &result);
+    }
     current_.reset();
   }
   result.world_from_camera = world_from_camera_;
@@ -158,7 +168,8 @@ std::vector<int> KeyframeTracker::Seen(std::vector<int> ids, const SE3d& world_f
   const int first = ids.front();
   if (ids.size() == 1) return ids;
   std::erase_if(ids, [&](int id) {
-    return Overlap(keyframes_[id], world_from_camera) < options_.alignment.min_overlap;
+    return (id != first && references_[id].stale) ||
+           Overlap(keyframes_[id], world_from_camera) < options_.alignment.min_overlap;
   });
   return ids.empty() ? std::vector<int>{first} : ids;
 }
@@ -184,13 +195,19 @@ SE3d KeyframeTracker::Predicted(double time_s) const {
   return world_from_camera_ * SE3d::Exp({dt_s * velocity_->omega, dt_s * velocity_->v});
 }
 
-// T_wc = T_w,near · T_near,c.
-void KeyframeTracker::Accept(TrackedFrame* result) {
+// T_wc = T_w,near · T_near,c, with its covariance.
+SE3d KeyframeTracker::PoseOf(TrackedFrame* result) const {
   const Keyframe& keyframe = keyframes_[result->keyframe_id];
   const SE3d& current_from_keyframe = result->alignment.current_from_reference;
-  const SE3d world_from_camera = keyframe.world_from_camera * current_from_keyframe.Inverse();
   result->covariance =
       Sum(result->alignment.covariance, InFrame(keyframe.covariance, current_from_keyframe));
+  return keyframe.world_from_camera * current_from_keyframe.Inverse();
+}
+
+void KeyframeTracker::Accept(TrackedFrame* result) {
+  const SE3d world_from_camera = PoseOf(result);
+  double& least = references_[result->keyframe_id].least_unexplained;
+  least = std::min(least, result->evidence.unexplained_variance);
   const double dt_s = result->time_s - time_s_;
   velocity_.reset();
   if (dt_s > 0) {
@@ -198,7 +215,24 @@ void KeyframeTracker::Accept(TrackedFrame* result) {
     velocity_ = Twistd{1 / dt_s * moved.omega, 1 / dt_s * moved.v};
   }
   world_from_camera_ = world_from_camera;
+  tracked_from_ = result->keyframe_id;
   time_s_ = result->time_s;
+}
+
+void KeyframeTracker::MoveKeyframes(const std::vector<SE3d>& world_from_keyframe) {
+  SILT_CHECK(world_from_keyframe.size() <= keyframes_.size());
+  std::vector<SE3d> moves;  // new world from old world, by keyframe
+  for (Keyframe& keyframe : keyframes_) {
+    const std::size_t id = moves.size();
+    if (id < world_from_keyframe.size()) {
+      moves.push_back(world_from_keyframe[id] * keyframe.world_from_camera.Inverse());
+      keyframe.world_from_camera = world_from_keyframe[id];
+    } else {
+      moves.push_back(id > 0 ? moves[references_[id].tracked_from] : SE3d{});
+      keyframe.world_from_camera = moves[id] * keyframe.world_from_camera;
+    }
+  }
+  if (!moves.empty()) world_from_camera_ = moves[tracked_from_] * world_from_camera_;
 }
 
 bool KeyframeTracker::Initialize(int keyframe, const SE3d& expected, const Frame& frame,
@@ -242,6 +276,7 @@ std::unique_ptr<ReferencePyramid> KeyframeTracker::MakeReference(const Frame& fr
 
 void KeyframeTracker::Refine(const std::vector<int>& nearest, const CurrentPyramid& current,
                              const SE3d& initial, TrackedFrame* result) {
+  aligned_with_ = nearest;
   const SE3d anchor_from_world = keyframes_[nearest.front()].world_from_camera.Inverse();
   std::vector<ReferenceView> views;
   for (const int id : nearest) {
@@ -250,9 +285,7 @@ void KeyframeTracker::Refine(const std::vector<int>& nearest, const CurrentPyram
   }
   views.front().anchor_from_reference = {};  // exactly
   result->alignment = Align(*backend_, views, current, initial, options_.alignment);
-  result->times.residual_ms += result->alignment.times.residual_ms;
-  result->times.jacobian_ms += result->alignment.times.jacobian_ms;
-  result->times.update_ms += result->alignment.times.update_ms;
+  AddTimes(result->alignment.times, &result->times);
   result->status = TrackingStatus::kLost;
   if (!result->alignment.ok) {
     result->message = "lost: " + result->alignment.failure;
@@ -271,7 +304,44 @@ bool KeyframeTracker::NeedsNewKeyframe(const TrackedFrame& result) const {
       result.status == TrackingStatus::kTracked ||
       (result.status == TrackingStatus::kDoubtful && !options_.keyframes.trusted_only);
   return trusted && (NeedsKeyframe(keyframes_, world_from_camera_, options_.keyframes) ||
-                     ShowsWhatNoneKnows());
+                     ShowsWhatNoneKnows() || HasGoneStale(result));
+}
+
+bool KeyframeTracker::HasGoneStale(const TrackedFrame& result) const {
+  const double unexplained = result.evidence.unexplained_variance;
+  const double least = references_[result.keyframe_id].least_unexplained;
+  return options_.keyframes.stale_share > 0 && unexplained > 2 * least &&
+         unexplained >
+             options_.keyframes.stale_share * options_.trust.doubtful_unexplained_variance;
+}
+
+void KeyframeTracker::RetireStale(const TrackedFrame& result) {
+  if (keyframes_.empty() || !HasGoneStale(result)) return;
+  for (const int id : aligned_with_) references_[id].stale = true;
+}
+
+void KeyframeTracker::Polish(const Frame& frame, TrackedFrame* result) {
+  if (keyframes_.empty() || options_.keyframes.polish_iterations == 0) return;
+  AlignmentOptions fine = options_.alignment;
+  fine.max_iterations = {options_.keyframes.polish_iterations};
+  fine.min_update_norm /= 10;
+  const Frame& keyframe = keyframes_[result->keyframe_id].frame;
+  const Image<float> none;
+  std::unique_ptr<ReferencePyramid> reference;
+  std::unique_ptr<CurrentPyramid> current;
+  {
+    const Stopwatch watch(&result->times.pyramid_ms);
+    reference =
+        backend_->MakeReferenceOfColour(keyframe.rgb, keyframe.depth_m, camera_, fine.Pyramids());
+    current = backend_->MakeCurrentOfColour(
+        frame.rgb, fine.use_current_depth ? frame.depth_m : none, fine.Pyramids());
+  }
+  AlignmentResult polished =
+      Align(*backend_, {*reference, *current}, result->alignment.current_from_reference, fine);
+  AddTimes(polished.times, &result->times);
+  if (!polished.ok) return;
+  result->alignment = std::move(polished);
+  world_from_camera_ = PoseOf(result);
 }
 
 // Of all the keyframes that the next frame could be aligned with, the camera sees too little.
@@ -295,7 +365,8 @@ void KeyframeTracker::MakeKeyframe(const Given& given, TrackedFrame* result) {
     return;
   }
   const int id = int(keyframes_.size());
-  references_.push_back({MakeReference(frame), content, {}});
+  references_.push_back({MakeReference(frame), content, {}, tracked_from_});
+  tracked_from_ = id;
   keyframes_.push_back({id, {}, {}, world_from_camera_, result->covariance});
   if (given.movable) {
     keyframes_.back().frame = std::move(*given.movable);

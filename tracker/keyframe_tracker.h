@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,12 +68,19 @@ class KeyframeTracker {
   // In the order of creation: keyframes()[i].id == i.
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
 
+  // Moves the keyframes, by id, to where they are known to be by now. Later ones than that go with
+  // those that they were tracked from, and so does the camera. Covariances stay.
+  void MoveKeyframes(const std::vector<SE3d>& world_from_keyframe);
+
  private:
   // What the backend and the judgement need of a keyframe.
   struct Reference {
     std::unique_ptr<ReferencePyramid> pyramid;
     ImageContent content;
-    Image<float> thumbnail;  // empty until the camera is lost
+    Image<float> thumbnail;               // empty until the camera is lost
+    int tracked_from = 0;                 // the keyframe; of the first one, itself
+    double least_unexplained = HUGE_VAL;  // of the variance, by a frame that was tracked from it
+    bool stale = false;                   // nothing is aligned with it that can be with another
   };
 
   // A keyframe that a lost camera may be looking at, and where from.
@@ -104,8 +112,12 @@ class KeyframeTracker {
   std::vector<int> Seen(std::vector<int> ids, const SE3d& world_from_camera) const;
   std::vector<int> WithNeighbours(int id, const SE3d& world_from_camera) const;
   void Accept(TrackedFrame* result);
+  SE3d PoseOf(TrackedFrame* result) const;
   bool NeedsNewKeyframe(const TrackedFrame& result) const;
   bool ShowsWhatNoneKnows() const;
+  bool HasGoneStale(const TrackedFrame& result) const;
+  void RetireStale(const TrackedFrame& result);
+  void Polish(const Frame& frame, TrackedFrame* result);
   void MakeKeyframe(const Given& given, TrackedFrame* result);
 
   PinholeCamera camera_;
@@ -117,7 +129,9 @@ class KeyframeTracker {
   std::shared_ptr<const CurrentPyramid> current_;  // of the frame that is being tracked
   std::vector<Keyframe> keyframes_;
   std::vector<Reference> references_;  // of keyframes_
+  std::vector<int> aligned_with_;      // the keyframes that this frame was
   SE3d world_from_camera_;             // of the last tracked frame
+  int tracked_from_ = 0;               // the keyframe of that frame; itself where it is one
   double time_s_ = 0;                  // of that frame
   std::optional<Twistd> velocity_;     // per second, in its camera's frame; nothing when unknown
   bool foretold_ = false;              // where this frame is, by a motion or by the caller

@@ -28,6 +28,7 @@ struct AlignmentPlan {
   bool take_last_step = false;
   int scale_rounds = 0;
   bool robust = false, use_depth = false, rotation_only = false, fit_brightness = false;
+  double depth_patch_px = 1;
   bool keep_log = false;  // computes the cost of the last step of a level too, which is not taken
   double robust_scale = 0, robust_gradient = 0;
   // MeanRobustSquare(robust_scale): what makes a scale of the residuals a standard deviation.
@@ -279,6 +280,17 @@ class LevenbergMarquardt {
            near;
   }
 
+  // A depth camera finds depth from patches of pixels, whose noise is alike: as many pixels as lie
+  // in one count as one. Noise of a few times the least scale is rounding, which knows no patches.
+  SILT_HOST_DEVICE double DepthVariance(const AlignmentPlan& plan, double sigma,
+                                        double least) const {
+    constexpr double rounding = 4;
+    const double patch_px = plan.depth_patch_px / double(1 << (level_ - 1));
+    const double pixels = patch_px > 1 ? patch_px * patch_px : 1;
+    const double noise = sigma * sigma - rounding * rounding * least * least;
+    return sigma * sigma + (noise > 0 ? (pixels - 1) * noise : 0);
+  }
+
   // σ² = mean(s·r²)/β, see ResidualScale. Without any residuals nothing is known.
   SILT_HOST_DEVICE bool SetScale(const AlignmentPlan& plan, const NormalEquations::Spread& spread,
                                  double least, RobustBounds* bounds) const {
@@ -290,7 +302,9 @@ class LevenbergMarquardt {
     const double scale = plan.robust_scale * sigma;
     if (std::abs(scale - bounds->scale) < close * scale) return true;
     bounds->scale = scale;
-    if (norm_.use_depth) bounds->weight = 1 / (sigma * sigma);
+    if (!norm_.use_depth) return false;
+    const bool of_depth = bounds == &norm_.inverse_depth;
+    bounds->weight = 1 / (of_depth ? DepthVariance(plan, sigma, least) : sigma * sigma);
     return false;
   }
 

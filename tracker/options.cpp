@@ -43,6 +43,7 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.depth_edge_margin_px", depth_edge_margin_px, 0, 100);
   CheckRange("alignment.robust_scale", robust_scale, 0, 1e6);
   CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
+  CheckRange("alignment.depth_patch_px", depth_patch_px, 1, 100);
   CheckRange("alignment.scale_rounds", scale_rounds, 0, 100);
   CheckRange("alignment.covariance_factor", covariance_factor, 1e-6, 1e6);
   if (depth_residual && !(use_current_depth && robust_scale > 0)) {
@@ -60,6 +61,8 @@ void KeyframeOptions::Validate() const {
   CheckRange("keyframes.metres_per_radian", metres_per_radian, 0, 1e3);
   CheckRange("keyframes.joint", joint, 1, 100);
   CheckRange("keyframes.min_overlap", min_overlap, 0, 1);
+  CheckRange("keyframes.stale_share", stale_share, 0, 1);
+  CheckRange("keyframes.polish_iterations", polish_iterations, 0, 1000);
 }
 
 void TrustOptions::Validate() const {
@@ -101,6 +104,7 @@ TrackerOptions AccuratePreset() {
   options.alignment.robust_scale = 2;
   options.alignment.robust_gradient = 8.0 / 255;
   options.alignment.depth_residual = true;
+  options.alignment.depth_patch_px = 6;
   options.alignment.covariance_factor = 2;
   options.alignment.min_update_norm = 2e-6;
   options.alignment.coarser_update_norm = 4;
@@ -112,6 +116,7 @@ TrackerOptions AccuratePreset() {
   options.keyframes.joint = 3;
   options.keyframes.trusted_only = true;
   options.keyframes.min_overlap = 0.6;
+  options.keyframes.stale_share = 0.3;
   options.alignment.min_overlap = 0.25;
   options.trust.max_unexplained_variance = 0.25;
   options.trust.min_inlier_ratio = 0.5;
@@ -131,6 +136,7 @@ TrackerOptions FastPreset() {
   options.alignment.scale_rounds = 2;
   options.alignment.covariance_factor = 2.3;
   options.keyframes.joint = 1;
+  options.keyframes.polish_iterations = 4;
   return options;
 }
 

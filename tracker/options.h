@@ -55,6 +55,7 @@ struct AlignmentOptions {
   // Compares each keyframe's intensity with a gain and an offset of its own, which are found on the
   // way, in closed form at each pose; needs robust_scale.
   bool affine_brightness = false;
+  double depth_patch_px = 1;   // at the finest level: noise of depths is alike over so many a side
   bool rotation_only = false;  // the translation stays as it is
   // By which the covariance is larger than the residuals tell: both images are sampled and their
   // depth is interpolated, which moves a pose without leaving residuals. Measured, not derived:
@@ -82,6 +83,13 @@ struct KeyframeOptions {
   // A new one also where the camera sees less than this of each of those nearest keyframes, as a
   // turn on the spot leads to. 0: never for that.
   double min_overlap = 0;
+  // A new one also where residuals leave more than this share of what makes a pose doubtful, and
+  // more than twice what they left at best with the same keyframe: as light or viewpoint change, it
+  // goes stale, and of doubtful frames none can be made. 0: never for that.
+  double stale_share = 0;
+  // What becomes a keyframe is first aligned again with the one that it was tracked from, at full
+  // resolution with so many solves at most: its error would stay. 0: it is not.
+  int polish_iterations = 0;
 
   void Validate() const;
 };

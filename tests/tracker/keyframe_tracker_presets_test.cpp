@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -160,6 +161,106 @@ TEST_P(OwnPreset, WithoutCandidatesItStaysLost) {
   for (int i = 0; i < 30; ++i) tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
   const TrackedFrame back = tracker.Track(RoomFrame(TruePose(0), 3.1));
   EXPECT_EQ(back.status, TrackingStatus::kLost);
+}
+
+// What is known of some keyframes moves them, those that followed from them, and the camera.
+TEST_P(OwnPreset, MovedKeyframesTakeTheCameraAlong) {
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  KeyframeTracker tracker = MakeTracker(nullptr, options);
+  for (int i = 0; i < 25; ++i) tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
+  const std::size_t count = tracker.keyframes().size();
+  ASSERT_GT(count, 2u);
+  const SE3d move = SE3d::Exp({{0.2, -0.1, 0.3}, {1, 2, -3}});
+  std::vector<SE3d> moved, expected;
+  for (const Keyframe& keyframe : tracker.keyframes()) {
+    expected.push_back(move * keyframe.world_from_camera);
+    if (moved.size() + 1 < count) moved.push_back(expected.back());
+  }
+  tracker.MoveKeyframes(moved);
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_LT(Distance(tracker.keyframes()[i].world_from_camera, expected[i]), 1e-9) << i;
+  }
+  const TrackedFrame next = tracker.Track(RoomFrame(TruePose(25), 2.5));
+  EXPECT_EQ(next.status, TrackingStatus::kTracked) << next.message;
+  EXPECT_LT(Distance(next.world_from_camera, move * TruePose(25)), 2e-2);
+  EXPECT_LT(Angle(next.world_from_camera, move * TruePose(25)), 4e-3);
+}
+
+// Of a frame's pose, its own keyframe alone decides.
+TEST_P(OwnPreset, TheCameraGoesWithTheKeyframeItIsTrackedFrom) {
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  KeyframeTracker tracker = MakeTracker(nullptr, options);
+  TrackedFrame last;
+  int i = 0;
+  do {
+    last = tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
+    ++i;
+  } while (tracker.keyframes().size() < 3 || last.new_keyframe);
+  std::vector<SE3d> poses;
+  for (const Keyframe& keyframe : tracker.keyframes()) poses.push_back(keyframe.world_from_camera);
+  const SE3d aside{{}, {5, 0, 0}};
+  poses[last.keyframe_id] = aside * poses[last.keyframe_id];
+  tracker.MoveKeyframes(poses);
+  const TrackedFrame dark = tracker.Track(BlackFrame());
+  ASSERT_EQ(dark.status, TrackingStatus::kLost);
+  EXPECT_LT(Distance(dark.world_from_camera, aside * last.world_from_camera), 1e-9);
+}
+
+Frame Dimmed(Frame frame, double gain) {
+  for (Rgb8& pixel : frame.rgb) {
+    const auto gray = std::uint8_t(std::lround(gain * double(pixel.r)));
+    pixel = {gray, gray, gray};
+  }
+  return frame;
+}
+
+// Along a walk without another reason for keyframes, into the dark.
+int LostInTheDark(TrackerOptions options, int* keyframes) {
+  options.alignment.max_iterations.pop_back();
+  options.keyframes.max_distance_m = 3;
+  options.keyframes.min_overlap = 0;
+  options.trust.doubtful_uncertainty_rad = 0.03;
+  KeyframeTracker tracker = MakeTracker(nullptr, options);
+  int untracked = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Frame frame = Dimmed(RoomFrame(TruePose(i), 0.1 * i), std::pow(0.985, i));
+    if (tracker.Track(frame).status != TrackingStatus::kTracked) ++untracked;
+  }
+  *keyframes = int(tracker.keyframes().size());
+  return untracked;
+}
+
+// Before frames become doubtful, of which no keyframe is made, the light that they are in is known.
+TEST_P(OwnPreset, AKeyframeThatGoesStaleIsReplacedInTime) {
+  int keyframes = 0;
+  EXPECT_EQ(LostInTheDark(GetParam(), &keyframes), 0);
+  EXPECT_GT(keyframes, 1);
+  EXPECT_LT(keyframes, 10);
+  TrackerOptions without = GetParam();
+  without.keyframes.stale_share = 0;
+  EXPECT_GT(LostInTheDark(without, &keyframes), 5);
+  EXPECT_EQ(keyframes, 1);
+}
+
+// Root mean square of the keyframes' errors in position, of a tracker of coarse images.
+double KeyframeError(int polish_iterations) {
+  TrackerOptions options = FastPreset();
+  options.alignment.max_iterations = {0, 0, 20};
+  options.keyframes.polish_iterations = polish_iterations;
+  KeyframeTracker tracker = MakeTracker(nullptr, options);
+  double squares = 0;
+  for (int i = 0; i < 25; ++i) {
+    const TrackedFrame tracked = tracker.Track(RoomFrame(TruePose(i), 0.1 * i));
+    if (tracked.new_keyframe)
+      squares += std::pow(Distance(tracked.world_from_camera, TruePose(i)), 2);
+  }
+  return std::sqrt(squares / double(tracker.keyframes().size()));
+}
+
+TEST(KeyframeTracker, WhatBecomesAKeyframeIsPolished) {
+  EXPECT_LT(KeyframeError(10), 0.3 * KeyframeError(0));
 }
 
 INSTANTIATE_TEST_SUITE_P(KeyframeTracker, OwnPreset,
