@@ -40,7 +40,7 @@ struct Options {
   int every = 1;
   SimulationOptions simulation;
   TrackerSetup tracker;
-  bool graph = false;
+  std::string graph = "none";
 };
 
 struct Tracked {
@@ -102,7 +102,7 @@ Tracked TrackFolder(const Options& options) {
     const double start_s = sequence->times_s().front();
     first = tracked.truth[NearestIndex(Times(tracked.truth), start_s)].world_from_camera;
   }
-  TrackingRun run(sequence->camera(), options.tracker, first, options.graph);
+  TrackingRun run(sequence->camera(), options.tracker, first, ParseGraphUse(options.graph));
   Progress progress(sequence->size());
   int number = 0;
   while (const std::optional<Frame> frame = sequence->Next()) {
@@ -123,7 +123,7 @@ Tracked TrackSimulation(const Options& options) {
   tracked.truth = TruePoses(world, plan.stretch);
   const int frames = int(tracked.truth.size());
   TrackingRun run(plan.options.camera, options.tracker, tracked.truth.front().world_from_camera,
-                  options.graph);
+                  ParseGraphUse(options.graph));
   Progress progress(frames);
   std::optional<Undistortion> undistortion;
   if (!plan.options.lens.IsNone()) {
@@ -229,9 +229,13 @@ void AddTrackerOptions(CLI::App& command, Options& options) {
           "pose), previous, constant-velocity, rotation (a coarse alignment), surf, sift, "
           "orb, akaze, or truth, which may be off: truth:0.02m,1deg")
       ->capture_default_str();
-  command.add_flag("--graph", options.graph,
-                   "Write poses as a graph over the keyframes corrects them: it aligns keyframes\n"
-                   "with others that they share views with, old ones too");
+  command
+      .add_flag("--graph{after}", options.graph,
+                "Write poses as a graph over the keyframes corrects them in the end: it aligns\n"
+                "keyframes with others that they share views with, old ones too.\n"
+                "--graph=background: it works while tracking goes on and moves the keyframes,\n"
+                "and poses are written as they were told")
+      ->check(CLI::IsMember({"none", "after", "background"}));
 }
 
 }  // namespace

@@ -17,7 +17,34 @@ constexpr Stage kStages[] = {
     &tracker::StageTimes::residual_ms, &tracker::StageTimes::jacobian_ms,
     &tracker::StageTimes::update_ms,   &tracker::StageTimes::total_ms};
 
+// As the tracker aligns what becomes a keyframe: at full resolution.
+tracker::KeyframeGraphOptions GraphOptions(const tracker::TrackerOptions& preset) {
+  tracker::KeyframeGraphOptions options{preset.alignment, preset.trust};
+  int& finest = options.alignment.max_iterations.front();
+  finest = std::max(finest, preset.keyframes.polish_iterations);
+  return options;
+}
+
 }  // namespace
+
+const char* Name(GraphUse use) {
+  switch (use) {
+    case GraphUse::kAfterwards:
+      return "after";
+    case GraphUse::kBackground:
+      return "background";
+    case GraphUse::kNone:
+      break;
+  }
+  return "none";
+}
+
+GraphUse ParseGraphUse(const std::string& name) {
+  for (const GraphUse use : {GraphUse::kNone, GraphUse::kAfterwards, GraphUse::kBackground}) {
+    if (name == Name(use)) return use;
+  }
+  throw Error("--graph is '" + name + "'; give after, background or none");
+}
 
 int TrackingResult::keyframes() const {
   return int(std::count(is_keyframe.begin(), is_keyframe.end(), true));
@@ -32,14 +59,18 @@ int TrackingResult::lost() const {
 }
 
 TrackingRun::TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
-                         const SE3d& first_world_from_camera, bool with_graph)
+                         const SE3d& first_world_from_camera, GraphUse use)
     : choice_(ParseInitializer(setup.initializer)),
       seed_(setup.seed),
       tracker_(MakeTracker(camera, setup, first_world_from_camera)) {
-  if (!with_graph) return;
-  const tracker::TrackerOptions options = PresetOptions(setup.preset);
-  graph_.emplace(camera, tracker::KeyframeGraphOptions{options.alignment, options.trust},
-                 MakeBackend(setup.backend));
+  if (use == GraphUse::kNone) return;
+  const tracker::KeyframeGraphOptions options = GraphOptions(PresetOptions(setup.preset));
+  if (use == GraphUse::kAfterwards) {
+    graph_.emplace(camera, options, MakeBackend(setup.backend));
+  } else {
+    background_ =
+        std::make_unique<tracker::BackgroundGraph>(camera, options, MakeBackend(setup.backend));
+  }
 }
 
 std::optional<SE3d> TrackingRun::Expected(const std::optional<SE3d>& true_world_from_camera) const {
@@ -56,6 +87,7 @@ tracker::TrackedFrame TrackingRun::Track(const Frame& frame,
                                          const std::optional<SE3d>& true_world_from_camera) {
   tracker::TrackedFrame tracked = tracker_.Track(frame, Expected(true_world_from_camera));
   if (graph_) graph_->Take(tracker_.keyframes(), tracked);
+  if (background_) background_->Take(&tracker_, &tracked);
   result_.estimate.push_back({tracked.time_s, tracked.world_from_camera});
   result_.is_keyframe.push_back(tracked.new_keyframe);
   result_.status.push_back(tracked.status);
@@ -88,11 +120,14 @@ std::vector<tracker::Keyframe> TrackingRun::Keyframes() const {
 }
 
 Json TrackingRun::GraphJson() const {
-  if (!graph_) return nullptr;
-  return {{"edges", graph_->edges().size()},
-          {"loops", graph_->loops()},
-          {"cost_before_the_last_keyframe", graph_->cost().before},
-          {"cost", graph_->cost().after}};
+  if (!graph_ && !background_) return nullptr;
+  const tracker::KeyframeGraph& graph = graph_ ? *graph_ : background_->Finished();
+  Json json{{"edges", graph.edges().size()},
+            {"loops", graph.loops()},
+            {"cost_before_the_last_keyframe", graph.cost().before},
+            {"cost", graph.cost().after}};
+  if (background_) json["waited_ms"] = background_->waited_ms();
+  return json;
 }
 
 }  // namespace silt::experiments

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "silt/core/trajectory.h"
 #include "silt/experiments/json.h"
 #include "silt/experiments/tracker_setup.h"
+#include "silt/tracker/graph/background_graph.h"
 #include "silt/tracker/graph/keyframe_graph.h"
 
 namespace silt::experiments {
@@ -28,12 +30,22 @@ struct TrackingResult {
   int lost() const;  // their poses are the last that was not
 };
 
-// One tracker that is fed a sequence, and a graph over its keyframes if wanted: what the run then
-// tells of poses is as the graph corrects them in the end.
+// What a graph over the keyframes does for a run.
+enum class GraphUse {
+  kNone,
+  kAfterwards,  // all poses are told as it corrects them in the end
+  kBackground,  // poses are the tracker's, whose keyframes it moves on the way
+};
+
+// "none", "after", "background"; ParseGraphUse throws silt::Error for anything else.
+const char* Name(GraphUse use);
+GraphUse ParseGraphUse(const std::string& name);
+
+// One tracker that is fed a sequence, and a graph over its keyframes if wanted.
 class TrackingRun {
  public:
   TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
-              const SE3d& first_world_from_camera, bool with_graph = false);
+              const SE3d& first_world_from_camera, GraphUse use = GraphUse::kNone);
 
   // The true pose is where the frame's alignment starts if the setup says so, and nothing else.
   // Throws silt::Error where it is wanted and there is none.
@@ -50,6 +62,7 @@ class TrackingRun {
   std::uint64_t seed_;
   tracker::KeyframeTracker tracker_;
   std::optional<tracker::KeyframeGraph> graph_;
+  std::unique_ptr<tracker::BackgroundGraph> background_;
   TrackingResult result_;
   tracker::StageTimes sums_;
 };

@@ -104,6 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"track --scene studio --preset best --out x.txt", "'best'"},
                     BadLine{"track --scene studio --lens -2 0 0 0 0 --out x.txt", "fold"},
                     BadLine{"track --scene studio --backend gpu --out x.txt", "'gpu'"},
+                    BadLine{"track --scene studio --graph=never --out x.txt", "never"},
                     BadLine{"track --scene studio --init magic --out x.txt", "'magic'"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -76,6 +76,15 @@ TEST_F(TrackInput, TellsTheStatusOfEachFrame) {
   EXPECT_LT(json["per_frame"][9]["position_deviation_m"], 0.01);
 }
 
+TEST_F(TrackInput, AGraphWorksAfterwardsOrInTheBackground) {
+  EXPECT_TRUE(Track(seq_)["graph"].is_null());
+  const auto afterwards = Track(seq_, "--graph"), background = Track(seq_, "--graph=background");
+  EXPECT_TRUE(afterwards["graph"].contains("edges"));
+  EXPECT_FALSE(afterwards["graph"].contains("waited_ms"));
+  EXPECT_TRUE(background["graph"].contains("waited_ms"));
+  EXPECT_LT(Rmse_cm(background), 2 * Rmse_cm(Track(seq_)));
+}
+
 TEST_F(TrackInput, SkipsFrames) {
   const auto json = Track(seq_, "--fps-skip 3");
   EXPECT_EQ(json["frames"], 4);
