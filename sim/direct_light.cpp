@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "silt/core/image.h"
@@ -13,10 +14,11 @@ namespace silt::sim {
 
 namespace {
 
-// A shadow ray ends this much before the light, which is part of the mesh.
-constexpr float kShadowEnd = 1 - 1e-3f;
 // An irradiance below which half as many points do: that of a lamp, not of a sky.
 constexpr float kFaint = 2;
+// Of the way from a light's border to the middle of a cell, where a rim is looked for first.
+constexpr float kBorder = 0.02f;
+constexpr int kHalvings = 7;
 
 }  // namespace
 
@@ -43,7 +45,8 @@ struct ShadowPacket {
     const float cosines = Dot(way, view.normal) * -Dot(way, view.facing), r_sq = Dot(way, way);
     if (!(Dot(way, view.normal) > 0 && cosines > 0)) return;
     weight[std::size_t(lane)] = cosines / (r_sq * r_sq);
-    rays.Set(lane, {view.origin, way, 0, kShadowEnd});
+    // The light is part of the mesh.
+    rays.Set(lane, {view.origin, way, 0, 1 - kRayOffsetM / std::sqrt(r_sq)});
   }
 };
 
@@ -85,6 +88,55 @@ float DirectLight::HiddenShare(const View& view, int points, const Vec2<int>& ce
   return sum > 0 ? hidden / sum : 0;
 }
 
+Image<float> DirectLight::RimShares(const View& view, const Image<char>& hidden) const {
+  const int points = hidden.width();
+  Image<float> shares(points, points, 0.0f);
+  for (int first = 0; first < 4 * points; first += kPacketSize) {
+    // A lane for each place of the border, and the depth to which it is hidden, of the way from the
+    // border to the middle of the cell: within (visible, …] nothing hides it.
+    const int count = std::min(kPacketSize, 4 * points - first);
+    Vec2<int> cell[kPacketSize];
+    float low[kPacketSize] = {}, high[kPacketSize];
+    bool is_rim[kPacketSize];
+    for (int i = 0; i < count; ++i) {
+      const int side = (first + i) / points, along = (first + i) % points;
+      const int across = side % 2 == 0 ? 0 : points - 1;
+      cell[i] = side < 2 ? Vec2<int>{across, along} : Vec2<int>{along, across};
+      is_rim[i] = !hidden(cell[i].x, cell[i].y);
+      high[i] = 2 * kBorder;  // so that the first look is at the border
+    }
+    for (int halving = 0; halving <= kHalvings; ++halving) {
+      ShadowPacket packet;
+      for (int i = 0; i < count; ++i) {
+        if (!is_rim[i]) continue;
+        const int side = (first + i) / points;
+        const float border = side % 2 == 0 ? -1.0f : 1.0f, depth = 0.5f * (low[i] + high[i]);
+        Vec2f at{Middle(cell[i].x, points), Middle(cell[i].y, points)};
+        float& across = side < 2 ? at.x : at.y;
+        across = border + depth * (across - border);
+        packet.Set(i, view, at.x, at.y);
+      }
+      const std::uint32_t occluded = tracer_.Occluded(packet.rays);
+      for (int i = 0; i < count; ++i) {
+        const bool is_hidden = occluded >> i & 1;
+        if (halving == 0) {
+          is_rim[i] = is_rim[i] && is_hidden;
+          low[i] = 0, high[i] = 1;
+        } else {
+          (is_hidden ? low[i] : high[i]) = 0.5f * (low[i] + high[i]);
+        }
+      }
+    }
+    for (int i = 0; i < count; ++i) {
+      if (!is_rim[i]) continue;
+      float& share = shares(cell[i].x, cell[i].y);  // corners have two borders
+      const float half = 0.25f * (low[i] + high[i]);
+      share += half - share * half;
+    }
+  }
+  return shares;
+}
+
 float DirectLight::Visibility(const View& view, int points) const {
   const int cells = points * points;
   std::vector<float> weight(std::size_t(cells), 0.0f);
@@ -105,12 +157,13 @@ float DirectLight::Visibility(const View& view, int points) const {
   const auto differs = [&](int x, int y, int mine) {
     return hidden.Contains(x, y) && hidden(x, y) != mine;
   };
+  const Image<float> rims = RimShares(view, hidden);
   double total = 0, dark = 0;
   for (int i = 0; i < cells; ++i) {
     const int x = i % points, y = i / points, mine = hidden(x, y);
     const bool edge = differs(x - 1, y, mine) || differs(x + 1, y, mine) ||
                       differs(x, y - 1, mine) || differs(x, y + 1, mine);
-    const double share = edge ? HiddenShare(view, points, {x, y}) : mine;
+    const double share = edge ? HiddenShare(view, points, {x, y}) : mine + rims(x, y);
     total += weight[std::size_t(i)];
     dark += share * weight[std::size_t(i)];
   }

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "silt/sim/ray_tracer.h"
+#include "silt/sim/spherical_rectangle.h"
+#include "silt/sim/surface_colors.h"
 #include "silt/sim/surface_point.h"
 
 namespace silt::sim {
@@ -23,21 +25,26 @@ Vec3f CrossEdges(const Mesh& mesh, std::uint32_t triangle) {
 
 }  // namespace
 
-Emitters::Emitters(const Scene& scene) : scene_(scene), of_material_(scene.materials.size(), -1) {
+Emitters::Emitters(const Scene& scene)
+    : scene_(scene), of_triangle_(scene.mesh.triangles.size(), -1) {
+  const std::vector<int> light_of = LightOfTriangle(scene);
+  std::vector<int> of_material(scene.materials.size(), -1), of_light(scene.lights.size(), -1);
   for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
     const std::uint32_t material = scene.mesh.triangles[i].material;
     if (Luminance(scene.materials[material].emission) <= 0) continue;
-    if (of_material_[material] < 0) {
-      of_material_[material] = int(emitters_.size());
+    const int light = light_of[i];
+    int& number = light >= 0 ? of_light[std::size_t(light)] : of_material[material];
+    if (number < 0) {
+      number = int(emitters_.size());
       emitters_.emplace_back();
+      if (light >= 0 && SphericalRectangle::IsPossible(scene.lights[std::size_t(light)])) {
+        emitters_.back().rectangle = &scene.lights[std::size_t(light)];
+      }
     }
-    AddTriangle(emitters_[std::size_t(of_material_[material])], i);
+    of_triangle_[i] = number;
+    AddTriangle(emitters_[std::size_t(number)], i);
   }
-  for (std::size_t m = 0; m < of_material_.size(); ++m) {
-    if (of_material_[m] >= 0) {
-      Finish(emitters_[std::size_t(of_material_[m])], scene.materials[m]);
-    }
-  }
+  for (Emitter& emitter : emitters_) Finish(emitter);
   if (scene.environment) {
     background_ = std::numbers::pi * Luminance(scene.environment->mean());
   }
@@ -55,7 +62,9 @@ void Emitters::AddTriangle(Emitter& emitter, std::uint32_t triangle) const {
   emitter.area_up_to.push_back(emitter.area);
 }
 
-void Emitters::Finish(Emitter& emitter, const Material& material) const {
+void Emitters::Finish(Emitter& emitter) const {
+  const Material& material =
+      scene_.materials[scene_.mesh.triangles[emitter.triangles.front()].material];
   double luminance = Luminance(material.emission);
   if (material.texture >= 0) {
     const Texture& texture = scene_.textures[std::size_t(material.texture)];
@@ -90,6 +99,12 @@ double Emitters::TotalWeight(const Receiver& at) const {
   return sum;
 }
 
+double Emitters::Chance(std::size_t emitter, const Receiver& at) const {
+  const double weight = Weight(emitter, at);
+  if (!(weight > 0)) return 0;
+  return at.aims_at_each ? 1 : weight / TotalWeight(at);
+}
+
 Emitters::Sample Emitters::Draw(const Receiver& at, float choice, const Vec2f& random) const {
   const double total = TotalWeight(at);
   if (!(total > 0)) return {};
@@ -101,20 +116,42 @@ Emitters::Sample Emitters::Draw(const Receiver& at, float choice, const Vec2f& r
     weight = Weight(++chosen, at);
   }
   if (!(weight > 0)) return {};
-  Sample sample;
-  if (chosen == emitters_.size()) {
-    const Environment::Sample drawn = scene_.environment->Draw(random);
-    sample = {drawn.direction, 1e30f, drawn.radiance, drawn.density};
-  } else {
-    const double share = std::clamp(rest / weight, 0.0, 1.0);
-    sample = DrawFrom(emitters_[chosen], at, float(share), random);
-  }
+  Sample sample = DrawFrom(chosen, at, float(std::clamp(rest / weight, 0.0, 1.0)), random);
   sample.density *= float(weight / total);
   return sample;
 }
 
-Emitters::Sample Emitters::DrawFrom(const Emitter& emitter, const Receiver& at, float choice,
+Emitters::Sample Emitters::DrawFrom(std::size_t emitter, const Receiver& at, float choice,
                                     const Vec2f& random) const {
+  if (!(Weight(emitter, at) > 0)) return {};
+  if (emitter == emitters_.size()) {
+    const Environment::Sample drawn = scene_.environment->Draw(random);
+    return {drawn.direction, 1e30f, drawn.radiance, drawn.density};
+  }
+  return emitters_[emitter].rectangle ? DrawFromRectangle(emitters_[emitter], at, random)
+                                      : DrawFromTriangles(emitters_[emitter], at, choice, random);
+}
+
+Emitters::Sample Emitters::DrawFromRectangle(const Emitter& emitter, const Receiver& at,
+                                             const Vec2f& random) const {
+  const RectLight& light = *emitter.rectangle;
+  const SphericalRectangle seen(light, at.position);
+  const bool is_small = !(seen.solid_angle() > 0);
+  const Vec3f way = is_small ? light.center - at.position + (2 * random.x - 1) * light.half_u +
+                                   (2 * random.y - 1) * light.half_v
+                             : seen.WayTo(random);
+  const float distance = Norm(way);
+  if (!(distance > 0)) return {};
+  const Vec3f direction = (1 / distance) * way;
+  const float cosine = -Dot(direction, emitter.normal);
+  if (!(cosine > 1e-6f)) return {};
+  const double density =
+      is_small ? distance * distance / (cosine * emitter.area) : 1 / seen.solid_angle();
+  return {direction, distance, light.radiance, float(density)};
+}
+
+Emitters::Sample Emitters::DrawFromTriangles(const Emitter& emitter, const Receiver& at,
+                                             float choice, const Vec2f& random) const {
   const std::vector<double>& sums = emitter.area_up_to;
   const auto found = std::upper_bound(sums.begin(), sums.end() - 1, choice * emitter.area);
   const std::uint32_t number = emitter.triangles[std::size_t(found - sums.begin())];
@@ -141,19 +178,22 @@ Emitters::Sample Emitters::DrawFrom(const Emitter& emitter, const Receiver& at, 
 }
 
 float Emitters::Density(const Receiver& from, const Met& met) const {
-  const int index = of_material_[scene_.mesh.triangles[met.triangle].material];
+  const int index = of_triangle_[met.triangle];
   if (index < 0) return 0;
-  const double total = TotalWeight(from);
-  if (!(total > 0)) return 0;
-  const double chance = Weight(std::size_t(index), from) / total;
+  const double chance = Chance(std::size_t(index), from);
+  if (!(chance > 0)) return 0;
+  const Emitter& emitter = emitters_[std::size_t(index)];
+  if (emitter.rectangle) {
+    const double solid_angle = SphericalRectangle(*emitter.rectangle, from.position).solid_angle();
+    if (solid_angle > 0) return float(chance / solid_angle);
+  }
   const double cosine = std::max(std::abs(met.cosine), 1e-6f);
-  return float(chance * met.distance * met.distance /
-               (cosine * emitters_[std::size_t(index)].area));
+  return float(chance * met.distance * met.distance / (cosine * emitter.area));
 }
 
 float Emitters::BackgroundDensity(const Receiver& from, const Vec3f& direction) const {
   if (!scene_.environment || !(background_ > 0)) return 0;
-  return float(background_ / TotalWeight(from)) * scene_.environment->Density(direction);
+  return float(Chance(emitters_.size(), from)) * scene_.environment->Density(direction);
 }
 
 }  // namespace silt::sim

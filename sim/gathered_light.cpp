@@ -15,8 +15,12 @@ namespace {
 
 constexpr float kShareOfDistance = 0.25f, kCaution = 1.5f;
 constexpr float kRadiusInWidths = 1.5f;
+// Light found where things are this near (Ward's harmonic mean) is lent no farther than this share
+// of it: not from under a board to what lies beside it.
+constexpr float kReachInDistance = 0.5f;
 constexpr float kSameNormal = 0.06f;  // 1 − cos of the angle at which the weight is 0: 20°
 constexpr float kSheetM = 1e-3f;      // what is so close is one sheet
+constexpr float kRidge = 0.02f;       // of the squared radius
 constexpr int kBlock = 1024;
 
 template <typename Body>
@@ -35,6 +39,32 @@ float Likeness(const SurfaceSample& a, const SurfaceSample& b) {
   if (std::abs(Dot(way, a.normal)) > kSheetM + std::sqrt(2 * bend) * Norm(way)) return 0;
   return std::max(0.0f, 1 - bend / kSameNormal);
 }
+
+// Of values at places about a point, the value there of the plane that fits them best, weighted:
+// Σ w·(1 − tilt·d)·value / Σ w·(1 − tilt·d) with the ways d to the places and
+// tilt = (Σ w·d·dᵀ)⁻¹ Σ w·d. A mean alone errs where all places lie on one side, at a rim.
+class LinearFit {
+ public:
+  void Add(float weight, const Vec3f& way) {
+    total_ += weight;
+    sum_ += weight * way;
+    xx_ += weight * way.x * way.x, yy_ += weight * way.y * way.y, zz_ += weight * way.z * way.z;
+    xy_ += weight * way.x * way.y, yz_ += weight * way.y * way.z, zx_ += weight * way.z * way.x;
+  }
+
+  // With variance added in all directions, since the places lie in a plane or a line.
+  Vec3f Tilt(float variance) const {
+    const float ridge = variance * total_;
+    const Vec3f a{xx_ + ridge, xy_, zx_}, b{xy_, yy_ + ridge, yz_}, c{zx_, yz_, zz_ + ridge};
+    const float determinant = Dot(a, Cross(b, c));
+    if (!(determinant > 0)) return {};
+    return (1 / determinant) * (sum_.x * Cross(b, c) + sum_.y * Cross(c, a) + sum_.z * Cross(a, b));
+  }
+
+ private:
+  Vec3f sum_;
+  float total_ = 0, xx_ = 0, yy_ = 0, zz_ = 0, xy_ = 0, yz_ = 0, zx_ = 0;
+};
 
 }  // namespace
 
@@ -73,14 +103,24 @@ std::vector<Vec3f> Interpolated(const std::vector<SurfaceSample>& samples,
   ForBlocks(samples.size(), [&](std::size_t i) {
     const SurfaceSample& mine = samples[i];
     const float radius = kRadiusInWidths * width_m[i];
+    const auto for_each = [&](const auto& visit) {
+      neighbours.at(width_m[i])->Visit(mine.position, radius, [&](std::uint32_t j, float away_m) {
+        const float reach = std::min(radius, kReachInDistance * gathered[j].distance_m);
+        if (gathered[j].buried || away_m >= reach) return;
+        const SurfaceSample& other = samples[clusters.leaders[j]];
+        const float weight = (1 - away_m / reach) * Likeness(mine, other);
+        if (weight > 0) visit(weight, other.position - mine.position, gathered[j].irradiance);
+      });
+    };
+    LinearFit fit;
+    for_each([&](float weight, const Vec3f& way, const Vec3f&) { fit.Add(weight, way); });
+    const Vec3f tilt = fit.Tilt(kRidge * radius * radius);
     Vec3f sum;
     float total = 0;
-    neighbours.at(width_m[i])->Visit(mine.position, radius, [&](std::uint32_t j, float away_m) {
-      if (gathered[j].buried) return;
-      const SurfaceSample& other = samples[clusters.leaders[j]];
-      const float weight = (1 - away_m / radius) * Likeness(mine, other);
-      sum += weight * gathered[j].irradiance;
-      total += weight;
+    for_each([&](float weight, const Vec3f& way, const Vec3f& irradiance) {
+      const float share = weight * std::max(0.0f, 1 - Dot(tilt, way));
+      sum += share * irradiance;
+      total += share;
     });
     const bool alone = !(total > 1e-3f) || gathered[clusters.leader_of[i]].buried;
     result[i] = alone ? gathered[clusters.leader_of[i]].irradiance : (1 / total) * sum;

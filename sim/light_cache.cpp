@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Rises with every change of what SolveLight or SurfaceGrid compute.
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 constexpr std::size_t kDigestSize = 32;
 constexpr std::string_view kPrefix = "light-";
 constexpr std::size_t kEntries = 8;  // of some 35 MB for a furnished room

@@ -79,6 +79,15 @@ StoredLight Sum(const StoredLight& a, const StoredLight& b) {
   return sum;
 }
 
+StoredLight Blend(const StoredLight& a, const StoredLight& b, float share_of_b) {
+  StoredLight mean = a;
+  for (std::size_t i = 0; i < a.front.size(); ++i) {
+    mean.front[i] += share_of_b * (b.front[i] - a.front[i]);
+    mean.back[i] += share_of_b * (b.back[i] - a.back[i]);
+  }
+  return mean;
+}
+
 class LightSolver {
  public:
   LightSolver(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
@@ -91,7 +100,9 @@ class LightSolver {
         colors_(scene, grid, options.direct_spacing_m) {}
 
   StoredLight Solve() {
+    for (const bool front : {true, false}) near_[front] = LookAround(front);
     StoredLight direct = SolveDirect();
+    for (const bool front : {true, false}) Fill(front, Buried(front), direct);
     const std::vector<float> widths(samples_.size(), options_.bounce_spacing_m);
     const SampleClusters coarse = ClusterSamples(samples_, widths);
     const StoredLight sent = colors_.Radiance(Sum(direct, SolveBounces(direct, coarse)));
@@ -125,13 +136,15 @@ class LightSolver {
     const double step = (kBouncesDone - kDirectDone) / (2 * std::max(options_.bounces, 1));
     double done = kDirectDone;
     for (std::vector<double>& nearness : nearness_) nearness.assign(coarse.leaders.size(), 0);
+    const std::vector<bool> buried[2] = {Buried(false), Buried(true)};
     for (int pass = 0; pass < options_.bounces; ++pass) {
       const StoredLight before = std::move(indirect);
       indirect = StoredLight(samples_.size());
       const StoredLight sent = colors_.Radiance(Sum(direct, before));
       for (const bool front : {true, false}) {
+        const std::uint64_t draw = (options_.seed * 64 + std::uint64_t(pass)) * 2 + (front ? 0 : 1);
         const std::vector<Gathered> gathered =
-            Gather(front, sent, coarse.leaders,
+            Gather(front, sent, coarse.AnyOfEach(buried[front], draw),
                    {options_.bounce_directions, std::uint64_t(pass) + 1, {done, done + step}});
         done += step;
         for (std::size_t i = 0; i < gathered.size(); ++i) {
@@ -141,6 +154,9 @@ class LightSolver {
           indirect.side(front)[i] = gathered[coarse.leader_of[i]].irradiance;
         }
       }
+      // Once they have settled, passes are estimates of the same, each from other places.
+      const int settled = pass - kExtrapolateAfter;
+      if (settled > 1) indirect = Blend(before, indirect, 1.0f / float(settled));
       const Vec3d gain = Total(indirect) - Total(before);
       if (pass == kExtrapolateAfter) {
         Extrapolate({RestOfSeries(gain.x, last_gain.x), RestOfSeries(gain.y, last_gain.y),
@@ -159,10 +175,9 @@ class LightSolver {
     for (const double nearness : nearness_[front]) {
       distance_m.push_back(nearness > 0 ? float(1 / nearness) : 1e30f);
     }
-    const std::vector<Gathered> near = LookAround(front);
     std::vector<float> widths = GatherWidths(
         samples_, coarse, distance_m, options_.direct_spacing_m, options_.indirect_spacing_m);
-    NarrowBy(near, options_.direct_spacing_m, widths);
+    NarrowBy(near_[front], options_.direct_spacing_m, widths);
     const SampleClusters fine = ClusterSamples(samples_, widths);
     const double middle = (1 + kBouncesDone) / 2;
     std::vector<Gathered> gathered =
@@ -172,17 +187,26 @@ class LightSolver {
                 front ? ProgressRange{kBouncesDone, middle} : ProgressRange{middle, 1},
                 {options_.gather_rounds, options_.gather_tolerance},
                 &direct});
+    std::vector<bool> buried = Buried(front);
     for (std::size_t i = 0; i < gathered.size(); ++i) {
-      gathered[i].buried = gathered[i].buried || near[fine.leaders[i]].buried;
+      gathered[i].buried = gathered[i].buried || buried[fine.leaders[i]];
     }
     indirect.side(front) = Interpolated(samples_, fine, widths, gathered);
-    std::vector<bool> buried;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      buried.push_back(near[i].buried || gathered[fine.leader_of[i]].buried);
+      buried[i] = buried[i] || gathered[fine.leader_of[i]].buried;
     }
-    const float radius_m = kFillInSpacings * options_.direct_spacing_m;
-    FillBuried(samples_, buried, radius_m, direct.side(front));
-    FillBuried(samples_, buried, radius_m, indirect.side(front));
+    Fill(front, buried, direct);
+    Fill(front, buried, indirect);
+  }
+
+  void Fill(bool front, const std::vector<bool>& buried, StoredLight& light) const {
+    FillBuried(samples_, buried, kFillInSpacings * options_.direct_spacing_m, light.side(front));
+  }
+
+  std::vector<bool> Buried(bool front) const {
+    std::vector<bool> buried;
+    for (const Gathered& near : near_[front]) buried.push_back(near.buried);
+    return buried;
   }
 
   // How far things are from each sample, by few rays: those of all bakes, whatever their seed.
@@ -228,6 +252,7 @@ class LightSolver {
   const std::vector<SurfaceSample>& samples_;
   const LightingOptions& options_;
   SurfaceColors colors_;
+  std::vector<Gathered> near_[2];    // by side (front: 1) and sample, by few rays
   std::vector<double> nearness_[2];  // by side (front: 1) and coarse leader, in 1/m
 };
 

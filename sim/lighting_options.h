@@ -25,11 +25,11 @@ struct LightingOptions {
   float bounce_spacing_m = 0.1f;     // and for the reflections before the last
   int light_points = 8;              // along a light's sides, at which its visibility is tested
   int environment_directions = 256;  // drawn from the picture of an environment
-  int gather_directions = 256;       // over the hemisphere, for indirect light
+  int gather_directions = 384;       // over the hemisphere, for indirect light
   int gather_rounds = 4;             // of so many directions at most, until the standard error is
   float gather_tolerance = 0.035f;   // this share of the light
   int bounce_directions = 32;        // and for the reflections before the last
-  int bounces = 5;                   // of these, the rest being extrapolated
+  int bounces = 10;                  // of these, the rest being extrapolated after the fourth
 
   // Keep the light of a large scene on disk, see light_cache.h.
   bool cache = true;

@@ -26,9 +26,9 @@ struct PathOptions {
   std::function<Vec3f(const TriangleHit&)> known_irradiance = nullptr;
 };
 
-// Estimates the radiance along rays by random paths from the viewer, exact in the mean: at every
-// vertex it aims at an emitter and reflects in a direction drawn from the Bsdf. Scene and tracer
-// must outlive it.
+// Estimates the radiance along rays by random paths from the viewer, exact in the mean: at the
+// first vertex it aims at every emitter and at the others at one, and reflects in a direction drawn
+// from the Bsdf. Scene and tracer must outlive it.
 class PathTracer {
  public:
   PathTracer(const Scene& scene, const RayTracer& tracer, PathOptions options = {});
@@ -53,7 +53,7 @@ class PathTracer {
   void Scatter(Paths& paths, Samplers& samplers, int bounce) const;
   void Meet(Paths& paths, const HitPacket& hits, int lane) const;
   void Leave(Paths& paths, int lane) const;
-  void Aim(Paths& paths, PathSampler& sampler, int lane) const;
+  void Aim(Paths& paths, PathSampler& sampler, int lane, std::size_t emitter) const;
   void Reflect(Paths& paths, PathSampler& sampler, int lane, int bounce) const;
 
   const Scene& scene_;

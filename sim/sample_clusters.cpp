@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "silt/core/random.h"
+
 namespace silt::sim {
 
 namespace {
@@ -54,6 +56,20 @@ SampleClusters ClusterSamples(const std::vector<SurfaceSample>& samples,
     clusters.leader_of.push_back(entry->second);
   }
   return clusters;
+}
+
+std::vector<std::uint32_t> SampleClusters::AnyOfEach(const std::vector<bool>& left_out,
+                                                     std::uint64_t seed) const {
+  std::vector<std::uint32_t> chosen = leaders;
+  std::vector<std::uint32_t> candidates(leaders.size(), 0);
+  const CounterRandom random(seed, 0);
+  for (std::uint32_t i = 0; i < leader_of.size(); ++i) {
+    if (left_out[i]) continue;
+    // The n-th candidate takes the place of those before it in one case of n.
+    const std::uint32_t cluster = leader_of[i];
+    if (random.Uniform(i) * double(++candidates[cluster]) < 1) chosen[cluster] = i;
+  }
+  return chosen;
 }
 
 std::size_t SampleNeighbours::CellHash::operator()(const Cell& cell) const { return HashOf(cell); }

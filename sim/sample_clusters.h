@@ -16,6 +16,11 @@ namespace silt::sim {
 struct SampleClusters {
   std::vector<std::uint32_t> leaders;    // samples
   std::vector<std::uint32_t> leader_of;  // by sample: index into leaders
+
+  // Of each cluster one sample, by chance and all alike likely, or of those alone that are not
+  // `left_out`, where there are any. Leaders do not stand for their cluster: they are the first of
+  // it, corners of triangles more often than not, where things touch and little light arrives.
+  std::vector<std::uint32_t> AnyOfEach(const std::vector<bool>& left_out, std::uint64_t seed) const;
 };
 
 // One cluster for each cube of a grid of the sample's own width, and direction that it faces.

@@ -68,7 +68,7 @@ class Shading {
     float log2_texels_per_metre = 0;   // the geometric mean of both directions
     Vec2f texcoord, along_u, along_v;  // of the point (u, v): texcoord + u·along_u + v·along_v
     Vec3f right, up;                   // gradients of the texture coordinates, per metre
-    // Light is kept in rows parallel to the longest edge, the corner `apex` being row `rows`.
+    // Light is kept in rows parallel to an edge, the corner `apex` being row `rows`.
     std::uint16_t rows = 1, apex = 0;
     std::uint32_t first_row = 0;  // index into row_begin_
   };

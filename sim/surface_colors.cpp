@@ -30,24 +30,26 @@ bool IsInside(const RectLight& light, const Vec3f& point) {
 
 }  // namespace
 
-std::vector<bool> TrianglesOfLights(const Scene& scene) {
+std::vector<int> LightOfTriangle(const Scene& scene) {
   const Mesh& mesh = scene.mesh;
-  std::vector<bool> is_light(mesh.triangles.size(), false);
+  std::vector<int> light_of(mesh.triangles.size(), -1);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Triangle& triangle = mesh.triangles[i];
     const Material& material = scene.materials[triangle.material];
     if (material.two_sided || Norm(material.emission) == 0) continue;
-    is_light[i] = std::any_of(scene.lights.begin(), scene.lights.end(), [&](const RectLight& l) {
-      return std::all_of(std::begin(triangle.vertex), std::end(triangle.vertex),
-                         [&](std::uint32_t v) { return IsInside(l, mesh.positions[v]); });
-    });
+    const auto found =
+        std::find_if(scene.lights.begin(), scene.lights.end(), [&](const RectLight& l) {
+          return std::all_of(std::begin(triangle.vertex), std::end(triangle.vertex),
+                             [&](std::uint32_t v) { return IsInside(l, mesh.positions[v]); });
+        });
+    if (found != scene.lights.end()) light_of[i] = int(found - scene.lights.begin());
   }
-  return is_light;
+  return light_of;
 }
 
 SurfaceColors::SurfaceColors(const Scene& scene, const SurfaceGrid& grid, float spacing_m)
     : colors_(grid.samples().size()) {
-  const std::vector<bool> is_light = TrianglesOfLights(scene);
+  const std::vector<int> light_of = LightOfTriangle(scene);
   const float log2_spacing = std::log2(spacing_m);
   ParallelFor(int((colors_.size() + kBlock - 1) / kBlock), [&](int block) {
     const std::size_t first = std::size_t(block) * kBlock;
@@ -56,7 +58,7 @@ SurfaceColors::SurfaceColors(const Scene& scene, const SurfaceGrid& grid, float 
       const Triangle& triangle = scene.mesh.triangles[origin.triangle];
       const Material& material = scene.materials[triangle.material];
       colors_[i] = {material.diffuse, material.emission, material.two_sided};
-      if (is_light[origin.triangle]) colors_[i].emission = {};
+      if (light_of[origin.triangle] >= 0) colors_[i].emission = {};
       if (material.texture < 0) continue;
       const Texture& texture = scene.textures[std::size_t(material.texture)];
       const Vec2f uv = TexcoordAt(scene.mesh, triangle, origin.u, origin.v);

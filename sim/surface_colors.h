@@ -27,7 +27,7 @@ class SurfaceColors {
   std::vector<Color> colors_;  // by sample
 };
 
-// Whether a triangle is part of one of the scene's rectangular lights.
-std::vector<bool> TrianglesOfLights(const Scene& scene);
+// For each triangle of the mesh, the rectangular light that it is part of, or −1.
+std::vector<int> LightOfTriangle(const Scene& scene);
 
 }  // namespace silt::sim

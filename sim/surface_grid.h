@@ -24,10 +24,10 @@ struct SurfaceLookup {
 };
 
 // Mesh colours (Yuksel, Keyser, House 2010) with rows: a triangle whose edges exceed the spacing
-// carries rows of samples parallel to its longest edge, as many in each row as its length asks for;
-// values are interpolated along the two nearest rows, then between them. A smaller triangle
-// carries its corners. Samples of equal position and normal are one, so that values continue from
-// triangle to triangle.
+// carries rows of samples parallel to its longest edge (to its shortest, if it is much longer than
+// thick), as many in each row as its length asks for; values are interpolated along the two nearest
+// rows, then between them. A smaller triangle carries its corners. Samples of equal position and
+// normal are one, so that values continue from triangle to triangle.
 class SurfaceGrid {
  public:
   SurfaceGrid(const Mesh& mesh, float spacing_m);
@@ -37,7 +37,7 @@ class SurfaceGrid {
   // The point (1 − u − v)·p0 + u·p1 + v·p2 of a triangle.
   SurfaceLookup Locate(std::uint32_t triangle, float u, float v) const;
 
-  // How the samples of a triangle lie: rows 0 … count parallel to its longest edge, row r at the
+  // How the samples of a triangle lie: rows 0 … count parallel to one of its edges, row r at the
   // share r/count of the way to the corner `apex`, of Intervals(r) equal intervals from corner
   // apex + 1 to apex + 2 (mod 3). count 0: only at the corners.
   struct TriangleRows {
@@ -70,7 +70,7 @@ class SurfaceGrid {
   struct Rows {
     std::uint32_t first_row;  // index into row_begin_, which has count + 2 entries for it
     std::uint16_t count;      // the apex is row `count`
-    std::uint16_t apex;       // corner opposite to the longest edge
+    std::uint16_t apex;       // corner opposite to the rows' edge
   };
 
   std::vector<SurfaceSample> samples_;

@@ -12,7 +12,9 @@ namespace {
 constexpr float kPullM = 1e-3f;
 constexpr float kMostIntervals = 1024;  // of a side, so that wide open ground stays finite
 constexpr int kRowsOfWide = 3;
-constexpr float kSliver = 4;  // spacings
+constexpr float kLong = 4;            // length to thickness
+constexpr float kLengthwise = 2;      // spacings between the rows of a sliver
+constexpr float kLeastAcross = 0.4f;  // of the spacing: wider, there is a sample between the edges
 
 Vec3f SafelyNormalized(const Vec3f& v, const Vec3f& otherwise) {
   const float norm = Norm(v);
@@ -23,18 +25,31 @@ int Intervals(float length_m, float spacing_m) {
   return int(std::clamp(std::ceil(length_m / spacing_m), 1.0f, kMostIntervals));
 }
 
+// From the edges of a triangle on which weight w lies, at right angles to them.
+Vec3f Inward(const Vec3f (&p)[3], const Vec3f& w) {
+  Vec3f sum;
+  for (int i = 0; i < 3; ++i) {
+    if ((&w.x)[i] > 0) continue;
+    const Vec3f& a = p[(i + 1) % 3];
+    const Vec3f along = SafelyNormalized(p[(i + 2) % 3] - a, {});
+    const Vec3f height = p[i] - a - Dot(p[i] - a, along) * along;
+    const float length = Norm(height);
+    if (length > 0) sum += (std::min(kPullM, length / 3) / length) * height;
+  }
+  return sum;
+}
+
 }  // namespace
 
 SurfaceGridBuilder::Corners SurfaceGridBuilder::CornersOf(const Triangle& triangle) const {
   Corners c;
   for (int i = 0; i < 3; ++i) c.position[i] = mesh_.positions[triangle.vertex[i]];
-  const Vec3f front = SafelyNormalized(
-      Cross(c.position[1] - c.position[0], c.position[2] - c.position[0]), {0, 0, 1});
+  c.front = SafelyNormalized(Cross(c.position[1] - c.position[0], c.position[2] - c.position[0]),
+                             {0, 0, 1});
   for (int i = 0; i < 3; ++i) {
-    const Vec3f n = SafelyNormalized(mesh_.normals[triangle.vertex[i]], front);
-    c.normal[i] = Dot(n, front) < 0 ? -n : n;  // models disagree about which side is out
+    const Vec3f n = SafelyNormalized(mesh_.normals[triangle.vertex[i]], c.front);
+    c.normal[i] = Dot(n, c.front) < 0 ? -n : n;  // models disagree about which side is out
   }
-  c.center = (1 / 3.0f) * (c.position[0] + c.position[1] + c.position[2]);
   return c;
 }
 
@@ -55,19 +70,22 @@ void SurfaceGridBuilder::Build() {
 
 void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners) {
   const Vec3f(&p)[3] = corners.position;
-  int apex = 0;
-  float base = 0;
-  for (int i = 0; i < 3; ++i) {
-    const float length = Norm(p[(i + 2) % 3] - p[(i + 1) % 3]);
-    if (length > base) base = length, apex = i;
+  const auto edge = [&](int apex) { return Norm(p[(apex + 2) % 3] - p[(apex + 1) % 3]); };
+  int longest = 0, shortest = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (edge(i) > edge(longest)) longest = i;
+    if (edge(i) < edge(shortest)) shortest = i;
   }
-  const float height = Norm(Cross(p[1] - p[0], p[2] - p[0])) / base;
-  // Lookups go along lines through the apex: on a sliver, almost along its edges. There rows and
-  // columns both run lengthwise, and both may be coarse.
-  const float side = std::max(Norm(p[apex] - p[(apex + 1) % 3]), Norm(p[apex] - p[(apex + 2) % 3]));
-  const bool sliver = height < spacing_m_;
-  const int count = std::max(Intervals(height, spacing_m_), Intervals(side, kSliver * spacing_m_));
-  const int columns = Intervals(base, sliver ? kSliver * spacing_m_ : spacing_m_);
+  const float thickness = Norm(Cross(p[1] - p[0], p[2] - p[0])) / edge(longest);
+  // Of a long triangle, rows go across, from one long edge to the other. Lookups between rows go
+  // lengthwise, where light changes less.
+  const bool is_long = edge(longest) > kLong * thickness;
+  const int apex = is_long ? shortest : longest;
+  const float base = edge(apex), side = std::max(edge((apex + 1) % 3), edge((apex + 2) % 3));
+  const float between_rows = thickness < spacing_m_ ? kLengthwise * spacing_m_ : spacing_m_;
+  const int count = Intervals(is_long ? side : thickness, between_rows);
+  const int least = base > kLeastAcross * spacing_m_ ? 2 : 1;
+  const int columns = std::max(least, Intervals(base, spacing_m_));
 
   grid_.triangles_[triangle].grid = std::uint32_t(grid_.grids_.size());
   grid_.grids_.push_back(
@@ -83,7 +101,7 @@ void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners)
       weight[(apex + 1) % 3] = (1 - up) * (1 - along);
       weight[(apex + 2) % 3] = (1 - up) * along;
       const std::uint32_t sample = Sample(triangle, corners, {weight[0], weight[1], weight[2]});
-      if (height >= kRowsOfWide * spacing_m_) grid_.samples_[sample].on_wide_triangle = true;
+      if (thickness >= kRowsOfWide * spacing_m_) grid_.samples_[sample].on_wide_triangle = true;
       grid_.row_samples_.push_back(sample);
     }
   }
@@ -108,23 +126,22 @@ std::uint32_t SurfaceGridBuilder::Sample(std::uint32_t triangle, const Corners& 
   if (number == grid_.samples_.size()) {
     grid_.samples_.push_back({position, normal});
     grid_.origins_.push_back({triangle, w.y, w.z});
-    inward_.push_back({});
+    rims_.push_back({});
   }
   if (rim) {
-    const Vec3f way = c.center - position;
-    const float length = Norm(way);
-    if (length > 0) {
-      inward_[number] += (std::min(1.0f, kPullM / length)) * way;
-    }
+    rims_[number].inward += Inward(c.position, w);
+    rims_[number].front += c.front;
   }
   return number;
 }
 
 void SurfaceGridBuilder::PullInwards() {
-  for (std::size_t i = 0; i < inward_.size(); ++i) {
+  for (std::size_t i = 0; i < rims_.size(); ++i) {
     SurfaceSample& sample = grid_.samples_[i];
-    // Along the surface only: off it, the point would leave a convex solid's skin.
-    const Vec3f way = inward_[i] - Dot(inward_[i], sample.normal) * sample.normal;
+    // Along the surface only: off it, the point would leave a convex solid's skin. The triangles
+    // tell where that runs; shading normals are not always theirs.
+    const Vec3f front = SafelyNormalized(rims_[i].front, sample.normal);
+    const Vec3f way = rims_[i].inward - Dot(rims_[i].inward, front) * front;
     const float length = Norm(way);
     if (length > 0) sample.position += (std::min(1.0f, kPullM / length)) * way;
   }

@@ -20,7 +20,7 @@ class SurfaceGridBuilder {
 
  private:
   struct Corners {
-    Vec3f position[3], normal[3], center;
+    Vec3f position[3], normal[3], front;
   };
 
   Corners CornersOf(const Triangle& triangle) const;
@@ -33,7 +33,10 @@ class SurfaceGridBuilder {
   float spacing_m_;
   SurfaceGrid& grid_;
   SampleIndex known_;
-  std::vector<Vec3f> inward_;  // per sample: sum of the ways to the centres of its triangles
+  struct Rim {
+    Vec3f inward, front;  // sums over the triangles that meet there
+  };
+  std::vector<Rim> rims_;  // per sample
 };
 
 }  // namespace silt::sim

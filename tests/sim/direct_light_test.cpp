@@ -80,6 +80,33 @@ TEST(DirectLight, PenumbrasAreLookedAtMoreClosely) {
   }
 }
 
+// A lamp in a case whose rim stands 2 cm in front of it and hides up to 2 % of it: less than lies
+// between points of the grid.
+TEST(DirectLight, RimsHideWhatTheyCover) {
+  SceneBuilder builder;
+  const int black = builder.AddMaterial(Vec3f{});
+  builder.AddLight({0, 0, 2}, {0, 0.5f, 0}, {0.5f, 0, 0}, {3, 2, 1});
+  const Scene open = builder.scene;
+  for (const float side : {-1.0f, 1.0f}) {
+    builder.AddQuad({side * 0.5f, -0.6f, 1.98f}, {0, 1.2f, 0}, {0, 0, 0.03f}, black);
+    builder.AddQuad({-0.6f, side * 0.5f, 1.98f}, {1.2f, 0, 0}, {0, 0, 0.03f}, black);
+  }
+  const RayTracer tracer(builder.scene);
+  for (const float x : {0.0f, 1.0f, 2.0f}) {
+    // From x, the rim at x = ½ hides the strip beyond ½ − (x − ½)/99: by cos θ cos θ' / r² ∝ r⁻⁴.
+    double hidden = 0, all = 0;
+    for (double s = -0.4995; s < 0.5; s += 0.001) {
+      for (double t = -0.49; t < 0.5; t += 0.02) {
+        const double weight = std::pow((s - x) * (s - x) + t * t + 4, -2);
+        all += weight;
+        if (s > 0.5 - (x - 0.5) / 99) hidden += weight;
+      }
+    }
+    const float red = DirectLight(builder.scene, tracer, 8).Irradiance({x, 0, 0}, {0, 0, 1}).x;
+    EXPECT_NEAR(red / RedAt(open, {x, 0, 0}), 1 - hidden / all, 0.004) << x;
+  }
+}
+
 TEST(DirectLight, DoesNotShineBackwardsOrThroughTheFloor) {
   const Scene scene = FloorAndBoard(-5);
   const RayTracer tracer(scene);

@@ -22,6 +22,7 @@ Gathered Found(float irradiance, bool buried = false) {
   Gathered g;
   g.irradiance = {irradiance, 0, 0};
   g.buried = buried;
+  g.distance_m = 1e30f;
   return g;
 }
 
@@ -56,6 +57,20 @@ TEST(GatheredLight, InterpolatesBetweenLeaders) {
   for (const std::uint32_t leader : clusters.leaders) gathered.push_back(Found(float(leader)));
   const std::vector<Vec3f> light = Interpolated(samples, clusters, width, gathered);
   for (std::size_t i = 50; i < 350; ++i) EXPECT_NEAR(light[i].x, float(i), 2.5f);
+}
+
+// At a rim all places of known light lie on one side.
+TEST(GatheredLight, GrowsOnToTheRim) {
+  const auto samples = Row(400);
+  const std::vector<float> width(400, 0.08f);
+  const SampleClusters clusters = ClusterSamples(samples, width);
+  std::vector<Gathered> gathered;
+  for (const std::uint32_t leader : clusters.leaders) {
+    gathered.push_back(Found(1000 - float(leader)));
+  }
+  const std::vector<Vec3f> light = Interpolated(samples, clusters, width, gathered);
+  EXPECT_NEAR(light[0].x, 1000, 1.5f);
+  EXPECT_NEAR(light[3].x, 997, 1.5f);
 }
 
 TEST(GatheredLight, DoesNotMixPlanesNormalsAndBuriedLeaders) {

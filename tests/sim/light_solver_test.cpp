@@ -11,6 +11,7 @@
 #include "silt/core/parallel.h"
 #include "silt/core/random.h"
 #include "silt/sim/form_factor.h"
+#include "silt/sim/indirect_light.h"
 #include "silt/sim/irradiance.h"
 #include "silt/sim/path_tracer.h"
 
@@ -127,6 +128,67 @@ TEST(LightSolver, WhatIsBuriedDarkensNothingThatIsSeen) {
     return Irradiance(scene, tracer, {}).At(0, (1 + x) / 2 - 0.5f, 0.5f, true).x;
   };
   EXPECT_NEAR(at(builder.scene, 0.42f), at(open, 0.42f), 0.03f);
+}
+
+// A board 2 cm above a floor, under an even sky: light is shared less and less widely towards it.
+TEST(LightSolver, ABoardCloseByLeavesNoStripeBesideIt) {
+  SceneBuilder builder;
+  const int black = builder.AddMaterial(Vec3f{});
+  builder.AddQuad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, black);
+  builder.AddBox({-0.5f, -0.5f, 0.02f}, {0, 0.5f, 0.03f}, black);
+  builder.scene.ambient = {1, 1, 1};
+  const RayTracer tracer(builder.scene);
+  const Irradiance irradiance(builder.scene, tracer, {});
+  const IndirectLight exact(builder.scene, tracer, 1 << 14, 0);
+  for (const float x : {0.025f, 0.05f, 0.075f, 0.1f, 0.15f, 0.2f}) {
+    const float expected =
+        exact.Gather({x, 0.01f, 0}, {0, 0, 1}, 0, [](auto&&...) { return Vec3f{}; }).irradiance.x;
+    const float stored = irradiance.At(0, (1 + x) / 2 - 0.505f, 0.505f, true).x;
+    EXPECT_NEAR(stored / expected, 1, 0.05f) << x;
+  }
+}
+
+// Corners of tiles, where samples come first, hold a peg each and are dark; the tiles are not.
+TEST(LightSolver, DarkCornersDoNotStandForWhatLiesBetweenThem) {
+  SceneBuilder builder;
+  const int white = builder.AddMaterial(Vec3f{0.8f, 0.8f, 0.8f});
+  for (int i = 0; i < 100; ++i) {
+    const Vec3f corner{0.1f * float(i % 10), 0.1f * float(i / 10), 0};
+    builder.AddQuad(corner, {0.1f, 0, 0}, {0, 0.1f, 0}, white);
+    builder.AddBox(corner - Vec3f{0.015f, 0.015f, 0.001f}, corner + Vec3f{0.015f, 0.015f, 0.03f},
+                   white);
+  }
+  const auto first_wall = std::uint32_t(builder.scene.mesh.triangles.size());
+  builder.AddQuad({0, 0, 0.4f}, {0, 1, 0}, {1, 0, 0}, white);
+  builder.AddQuad({0, 0, 0}, {0, 1, 0}, {0, 0, 0.4f}, white);
+  builder.AddQuad({1, 0, 0}, {0, 0, 0.4f}, {0, 1, 0}, white);
+  builder.AddQuad({0, 0, 0}, {0, 0, 0.4f}, {1, 0, 0}, white);
+  builder.AddQuad({0, 1, 0}, {1, 0, 0}, {0, 0, 0.4f}, white);
+  builder.AddLight({0.5f, 0.5f, 0.39f}, {0, 0.1f, 0}, {0.1f, 0, 0}, {5, 5, 5});
+  const RayTracer tracer(builder.scene);
+  LightingOptions options;
+  options.direct_spacing_m = 0.0125f;
+  const Irradiance irradiance(builder.scene, tracer, options);
+  const PathTracer paths(builder.scene, tracer);
+  for (const float x : {0.2f, 0.8f}) {
+    RayPacket packet;
+    for (int i = 0; i < kPacketSize; ++i) packet.Set(i, {{x, 0.3f, 0.35f}, {0, 0, 1}});
+    double sum = 0;
+    constexpr int packets = 512;
+    for (int k = 0; k < packets; ++k) {
+      PathSampler samplers[kPacketSize];
+      for (int i = 0; i < kPacketSize; ++i) {
+        samplers[i] = PathSampler(1, std::uint32_t(k * kPacketSize + i));
+      }
+      Vec3f radiance[kPacketSize];
+      paths.Trace(packet, samplers, radiance);
+      for (const Vec3f& r : radiance) sum += double(r.x) / (packets * kPacketSize);
+    }
+    // The ceiling's triangles: u along y and v along x, split by its diagonal.
+    const float stored = x < 0.3f ? irradiance.At(first_wall, 0.3f - x, x, true).x
+                                  : irradiance.At(first_wall + 1, 0.3f, x - 0.3f, true).x;
+    EXPECT_NEAR(0.8 * stored / kPi / sum, 1, 0.02) << x;
+  }
 }
 
 TEST(LightSolver, SeedsDifferByLittle) {

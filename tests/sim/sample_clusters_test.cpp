@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "silt/core/random.h"
@@ -48,6 +49,36 @@ TEST(SampleClusters, WideSheetsOnEachOtherDoNotShare) {
   EXPECT_EQ(ClusterSamples(sheets, width).leaders.size(), 1u);
   for (SurfaceSample& sheet : sheets) sheet.on_wide_triangle = true;
   EXPECT_EQ(ClusterSamples(sheets, width).leaders.size(), 2u);
+}
+
+TEST(SampleClusters, AnyOfEachIsOneOfItsMembersEachAsOften) {
+  const auto samples = Cloud(400);
+  const SampleClusters clusters = ClusterSamples(samples, std::vector<float>(400, 0.5f));
+  std::vector<double> members(clusters.leaders.size()), chosen(400);
+  for (const std::uint32_t cluster : clusters.leader_of) ++members[cluster];
+  constexpr int draws = 4000;
+  for (std::uint64_t seed = 0; seed < draws; ++seed) {
+    const auto any = clusters.AnyOfEach(std::vector<bool>(400, false), seed);
+    for (std::uint32_t k = 0; k < any.size(); ++k) {
+      ASSERT_EQ(clusters.leader_of[any[k]], k);
+      ++chosen[any[k]];
+    }
+  }
+  for (std::size_t i = 0; i < 400; ++i) {
+    const double expected = draws / members[clusters.leader_of[i]];
+    EXPECT_NEAR(chosen[i], expected, 5 * std::sqrt(expected)) << i;  // of 400, one in 4,000 runs
+  }
+}
+
+TEST(SampleClusters, AnyOfEachLeavesOutWhereItCan) {
+  const auto samples = Cloud(400);
+  const SampleClusters clusters = ClusterSamples(samples, std::vector<float>(400, 0.5f));
+  std::vector<bool> left_out(400, false);
+  for (const std::uint32_t leader : clusters.leaders) left_out[leader] = true;
+  for (std::uint32_t i = 0; i < 400; ++i) left_out[i] = left_out[i] || clusters.leader_of[i] == 0;
+  const auto any = clusters.AnyOfEach(left_out, 5);
+  EXPECT_EQ(any[0], clusters.leaders[0]);  // all of it are left out
+  for (std::uint32_t k = 1; k < any.size(); ++k) EXPECT_FALSE(left_out[any[k]]) << k;
 }
 
 TEST(SampleNeighbours, FindsAllWithinTheRadius) {

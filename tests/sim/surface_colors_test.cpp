@@ -67,8 +67,7 @@ TEST(SurfaceColors, TheLightOfRectanglesIsLeftOut) {
   SceneBuilder builder;
   builder.AddLight({1, 2, 3}, {0, 0.4f, 0.1f}, {0.6f, 0.2f, 0}, {6, 6, 6});
   builder.AddQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, builder.AddMaterial(Vec3f{}, {1, 1, 1}));
-  const std::vector<bool> is_light = TrianglesOfLights(builder.scene);
-  EXPECT_EQ(is_light, (std::vector<bool>{true, true, false, false}));
+  EXPECT_EQ(LightOfTriangle(builder.scene), (std::vector<int>{0, 0, -1, -1}));
   const SurfaceGrid grid(builder.scene.mesh, 10);
   const StoredLight sent = SurfaceColors(builder.scene, grid, 10).Radiance(Even(grid, 1));
   EXPECT_EQ(sent.At(grid.Locate(0, 0.3f, 0.3f), true).x, 0);
