@@ -28,6 +28,21 @@ LightingOptions Coarser() {
   return options;
 }
 
+// Of what paths bring along 16 rays, so many times.
+Vec3f MeanRadiance(const PathTracer& paths, const RayPacket& rays, int packets) {
+  Vec3f sum;
+  for (int k = 0; k < packets; ++k) {
+    PathSampler samplers[kPacketSize];
+    for (int i = 0; i < kPacketSize; ++i) {
+      samplers[i] = PathSampler(1, std::uint32_t(k * kPacketSize + i));
+    }
+    Vec3f radiance[kPacketSize];
+    paths.Trace(rays, samplers, radiance);
+    for (const Vec3f& r : radiance) sum += (1.0f / float(packets * kPacketSize)) * r;
+  }
+  return sum;
+}
+
 Scene LampOverFloor(const Vec3f& ambient) {
   SceneBuilder builder;
   builder.AddQuad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, builder.AddMaterial(Vec3f{0.5f, 0.5f, 0.5f}));
@@ -100,18 +115,8 @@ TEST(LightSolver, AgreesWithThePathTracer) {
     tracer.Trace(packet, hits);
     const Vec3f albedo = scene.materials[scene.mesh.triangles[hits.triangle[0]].material].diffuse;
     const Vec3f e = irradiance.At(hits.triangle[0], hits.u[0], hits.v[0], hits.cosine[0] < 0);
-    Vec3f sum;
-    constexpr int packets = 128;
-    for (int k = 0; k < packets; ++k) {
-      PathSampler samplers[kPacketSize];
-      for (int i = 0; i < kPacketSize; ++i) {
-        samplers[i] = PathSampler(1, std::uint32_t(k * kPacketSize + i));
-      }
-      Vec3f radiance[kPacketSize];
-      paths.Trace(packet, samplers, radiance);
-      for (const Vec3f& r : radiance) sum += (1.0f / (packets * kPacketSize)) * r;
-    }
-    EXPECT_NEAR(albedo.x * e.x / kPi / sum.x, 1, 0.03) << direction.x << ' ' << direction.z;
+    const Vec3f traced = MeanRadiance(paths, packet, 128);
+    EXPECT_NEAR(albedo.x * e.x / kPi / traced.x, 1, 0.03) << direction.x << ' ' << direction.z;
   }
 }
 
@@ -173,21 +178,11 @@ TEST(LightSolver, DarkCornersDoNotStandForWhatLiesBetweenThem) {
   for (const float x : {0.2f, 0.8f}) {
     RayPacket packet;
     for (int i = 0; i < kPacketSize; ++i) packet.Set(i, {{x, 0.3f, 0.35f}, {0, 0, 1}});
-    double sum = 0;
-    constexpr int packets = 512;
-    for (int k = 0; k < packets; ++k) {
-      PathSampler samplers[kPacketSize];
-      for (int i = 0; i < kPacketSize; ++i) {
-        samplers[i] = PathSampler(1, std::uint32_t(k * kPacketSize + i));
-      }
-      Vec3f radiance[kPacketSize];
-      paths.Trace(packet, samplers, radiance);
-      for (const Vec3f& r : radiance) sum += double(r.x) / (packets * kPacketSize);
-    }
+    const float traced = MeanRadiance(paths, packet, 512).x;
     // The ceiling's triangles: u along y and v along x, split by its diagonal.
     const float stored = x < 0.3f ? irradiance.At(first_wall, 0.3f - x, x, true).x
                                   : irradiance.At(first_wall + 1, 0.3f, x - 0.3f, true).x;
-    EXPECT_NEAR(0.8 * stored / kPi / sum, 1, 0.02) << x;
+    EXPECT_NEAR(0.8f * stored / kPi / traced, 1, 0.02) << x;
   }
 }
 
