@@ -18,7 +18,7 @@ namespace silt::sim {
 
 namespace {
 
-// Shares of the work, measured on the office.
+// Shares of the work, about, in the office.
 constexpr double kDirectDone = 0.3, kBouncesDone = 0.5;
 // After so many passes the rest of the series of reflections is extrapolated.
 constexpr int kExtrapolateAfter = 3;

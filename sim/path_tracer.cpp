@@ -17,7 +17,8 @@ constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 constexpr float kShadowEnd = 1 - 1e-5f;
 constexpr int kBouncesBeforeRoulette = 3;
 constexpr float kLeastSurvival = 0.05f;
-// What is seen itself gets light aimed from each of so many emitters; elsewhere one is chosen.
+// What is seen itself gets light from each emitter, if they are so many at most; elsewhere, and
+// where they are more, one is chosen.
 constexpr std::size_t kMostAimedAtEach = 12;
 
 // A vertex that a path reflects at.
@@ -204,8 +205,7 @@ void PathTracer::Reflect(Paths& paths, PathSampler& sampler, int lane, int bounc
   const float most = std::max({throughput.x, throughput.y, throughput.z});
   bool goes_on = most > 0;
   if (options_.roulette && bounce + 1 >= kBouncesBeforeRoulette) {
-    // Ends fewer paths than in proportion to what they carry: 18 % more time, a fifth less
-    // variance.
+    // Of paths that carry little, more go on than in proportion: theirs is much of the noise.
     const float chance = std::clamp(std::sqrt(most), kLeastSurvival, 1.0f);
     goes_on = goes_on && survival < chance;
     throughput = (1 / chance) * throughput;

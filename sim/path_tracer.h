@@ -26,9 +26,9 @@ struct PathOptions {
   std::function<Vec3f(const TriangleHit&)> known_irradiance = nullptr;
 };
 
-// Estimates the radiance along rays by random paths from the viewer, exact in the mean: at the
-// first vertex it aims at every emitter and at the others at one, and reflects in a direction drawn
-// from the Bsdf. Scene and tracer must outlive it.
+// Estimates the radiance along rays by random paths from the viewer, exact in the mean: it
+// aims at every emitter from the first vertex, unless they are many, and at one from the others,
+// and reflects in a direction drawn from the Bsdf. Scene and tracer must outlive it.
 class PathTracer {
  public:
   PathTracer(const Scene& scene, const RayTracer& tracer, PathOptions options = {});
