@@ -20,13 +20,14 @@
 #include "silt/experiments/output_folder.h"
 #include "silt/experiments/progress.h"
 #include "silt/experiments/resources.h"
+#include "silt/experiments/traced_pictures.h"
 #include "silt/sim/response_curve.h"
 
 namespace silt::experiments {
 namespace {
 
 struct Options {
-  std::string scene = "office", out;
+  std::string scene = "office", traced, out;
   std::vector<std::string> trajectories{"desk", "tour"};
   int views = 10, threads = 0;
   bool quick = false;
@@ -81,6 +82,7 @@ void Run(const Options& given, const Invocation& invocation) {
   const Options options = Resolved(given);
   SetThreadCount(options.threads);
   OutputFolder folder(options.out);
+  const TracedPictures traced(options.reference, options.traced);
   const std::vector<LightView> views =
       ViewsAlong(options.scene, options.trajectories, options.views);
   const auto scene = Bake(options, options.reference.seed);
@@ -105,7 +107,7 @@ void Run(const Options& given, const Invocation& invocation) {
   };
   for (std::size_t i = 0; i < views.size(); ++i) {
     ThrowIfInterrupted();
-    references.push_back(TraceReference(*scene, views[i], std::uint32_t(i), options.reference));
+    references.push_back(traced.Of(*scene, views[i], std::uint32_t(i)));
     progress.Advance(1, "paths of " + views[i].name);
     const Image<Vec3f> reference = references.back().Mean();
     const auto file = [&](const char* kind) { return folder.path() / (views[i].name + kind); };
@@ -149,6 +151,9 @@ void AddLightExperiment(CLI::App& experiments, const Invocation& invocation) {
       command->add_option("--seed", options->reference.seed, "Seed")->capture_default_str(), 0,
       1LL << 60);
   integer("--threads", options->threads, 0, 1024, "Threads; 0: one per processor");
+  command->add_option("--traced", options->traced,
+                      "Folder where the traced pictures are kept: what an earlier run with the\n"
+                      "same scene, views and paths left there is not traced again");
   command->add_flag("--quick", options->quick, "Two small views of the studio, 64 paths per pixel");
   command->add_option("--out", options->out, "Folder to make; refused where others' files lie")
       ->required();

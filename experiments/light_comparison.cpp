@@ -18,7 +18,9 @@
 namespace silt::experiments {
 namespace {
 
-constexpr int kBakedSubpixels = 8;  // along either side of a pixel
+// Baked light is looked up at so many places along either side of a pixel: on a regular grid, what
+// an edge covers of the pixel is known to half an interval. Fewer for larger pictures.
+constexpr int kSubpixels = 32, kLeastSubpixels = 8, kFineWidth = 5120;
 
 // Of red, green and blue.
 std::array<double, 3> Steps(const Vec3f& radiance, double exposure) {
@@ -87,15 +89,16 @@ ReferencePicture TraceReference(const sim::LitScene& scene, const LightView& vie
 Image<Vec3f> RenderBaked(const std::shared_ptr<const sim::LitScene>& scene, const LightView& view,
                          int width) {
   sim::RenderOptions options;
-  options.camera = IclNuimCameraOfWidth(width * kBakedSubpixels);
+  const int subpixels = std::clamp(kFineWidth / width, kLeastSubpixels, kSubpixels);
+  options.camera = IclNuimCameraOfWidth(width * subpixels);
   options.samples_per_pixel = 1;
   const Image<Vec3f> fine =
       sim::Renderer(scene, options).RenderLinear([&](double) { return view.world_from_camera; }, 0);
-  Image<Vec3f> picture(width, fine.height() / kBakedSubpixels);
-  constexpr float share = 1.0f / (kBakedSubpixels * kBakedSubpixels);
+  Image<Vec3f> picture(width, fine.height() / subpixels);
+  const float share = 1 / float(subpixels * subpixels);
   for (int y = 0; y < fine.height(); ++y) {
     for (int x = 0; x < fine.width(); ++x) {
-      picture(x / kBakedSubpixels, y / kBakedSubpixels) += share * fine(x, y);
+      picture(x / subpixels, y / subpixels) += share * fine(x, y);
     }
   }
   return picture;

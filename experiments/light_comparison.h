@@ -40,7 +40,7 @@ struct ReferencePicture {
 ReferencePicture TraceReference(const sim::LitScene& scene, const LightView& view,
                                 std::uint32_t number, const PathReference& reference);
 
-// The same view by baked light, 8 × 8 samples per pixel.
+// The same view by baked light, in pixels of 32 × 32 places, or fewer if they are many.
 Image<Vec3f> RenderBaked(const std::shared_ptr<const sim::LitScene>& scene, const LightView& view,
                          int width);
 

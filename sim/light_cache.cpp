@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "silt/core/atomic_file.h"
-#include "silt/core/parallel.h"
 #include "silt/sim/content_hash.h"
+#include "silt/sim/scene_digest.h"
 
 namespace silt::sim {
 
@@ -33,24 +33,6 @@ std::optional<fs::path> CacheFolder() {
   if (const fs::path cache = variable("XDG_CACHE_HOME"); cache.is_absolute()) return cache / "silt";
   if (const fs::path home = variable("HOME"); home.is_absolute()) return home / ".cache" / "silt";
   return std::nullopt;
-}
-
-void AddMaterials(const Scene& scene, ContentHash& hash) {
-  for (const Material& m : scene.materials) {
-    hash.AddBytes(&m.diffuse, sizeof(m.diffuse)).AddBytes(&m.emission, sizeof(m.emission));
-    hash.Add(m.two_sided).Add(m.cutout).Add(m.texture);
-  }
-  std::vector<std::string> digests(scene.textures.size());
-  ParallelFor(int(digests.size()),
-              [&](int i) { digests[std::size_t(i)] = scene.textures[std::size_t(i)].Digest(); });
-  for (const std::string& digest : digests) hash.AddBytes(digest.data(), digest.size());
-}
-
-void AddEnvironment(const Scene& scene, ContentHash& hash) {
-  if (!scene.environment) return;
-  const Image<Vec3f>& picture = scene.environment->picture();
-  hash.Add(picture.width()).AddBytes(picture.data(), picture.size() * sizeof(Vec3f));
-  hash.Add(scene.environment->yaw_rad());
 }
 
 std::string Checksum(const StoredLight& light) {
@@ -88,11 +70,8 @@ std::optional<fs::path> LightCacheFile(const Scene& scene, const LightingOptions
       .Add(options.bounce_directions)
       .Add(options.bounces);
   hash.Add(options.seed);
-  hash.AddArray(scene.mesh.positions).AddArray(scene.mesh.normals);
-  hash.AddArray(scene.mesh.texcoords).AddArray(scene.mesh.triangles);
-  hash.AddArray(scene.lights).AddBytes(&scene.ambient, sizeof(scene.ambient));
-  AddEnvironment(scene, hash);
-  AddMaterials(scene, hash);
+  const std::string digest = SceneDigest(scene);
+  hash.AddBytes(digest.data(), digest.size());
   return *folder / (std::string(kPrefix) + hash.Digest());
 }
 

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <string>
+
 #include "numpy.h"
 #include "posed_image.h"
+#include "silt/core/error.h"
 
 namespace silt {
 namespace {
@@ -29,6 +33,23 @@ assert n.shape == (2, 3, 3) and (n[1, 0] == [1, -2, 3]).all() and np.abs(n).sum(
 )",
                     folder.path().string()));
   EXPECT_FALSE(Numpy("assert np.load('depth.npy')[0, 0] == 1", folder.path().string()));
+}
+
+TEST(NpyFile, IsReadAsItWasWrittenAndNotOtherwise) {
+  const SequenceFolder folder;
+  Image<Vec3f> colors(3, 2);
+  colors(0, 1) = {1, -2, 1e-30f};
+  WriteNpy(folder / "a.npy", colors);
+  EXPECT_EQ(Norm(ReadNpy(folder / "a.npy", 3, 2)(0, 1) - colors(0, 1)), 0);
+  EXPECT_THROW(ReadNpy(folder / "a.npy", 2, 3), Error);
+  EXPECT_THROW(ReadNpy(folder / "none.npy", 3, 2), Error);
+  const std::string good = ReadText(folder / "a.npy");
+  for (const std::string& bad : {good + "x", good.substr(0, good.size() - 1), std::string()}) {
+    std::ofstream(folder / "a.npy", std::ios::binary) << bad;
+    EXPECT_THROW(ReadNpy(folder / "a.npy", 3, 2), Error) << bad.size();
+  }
+  WriteNpy(folder / "a.npy", Image<float>(3, 2));
+  EXPECT_THROW(ReadNpy(folder / "a.npy", 3, 2), Error);
 }
 
 // As the format asks: readers may map the data.
