@@ -153,6 +153,49 @@ TEST(LightSolver, ABoardCloseByLeavesNoStripeBesideIt) {
   }
 }
 
+// A post on a floor, much smaller than the areas that share light in the open.
+TEST(LightSolver, DarkensTheFloorBesideAPost) {
+  SceneBuilder builder;
+  const int black = builder.AddMaterial(Vec3f{});
+  builder.AddQuad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, black);
+  builder.AddBox({0.1f, 0.1f, 0}, {0.13f, 0.13f, 0.2f}, black);
+  builder.scene.ambient = {1, 1, 1};
+  const RayTracer tracer(builder.scene);
+  const Irradiance irradiance(builder.scene, tracer, {});
+  const IndirectLight exact(builder.scene, tracer, 1 << 14, 0);
+  for (const float x : {0.15f, 0.16f, 0.18f}) {
+    const float expected =
+        exact.Gather({x, 0.115f, 0}, {0, 0, 1}, 0, [](auto&&...) { return Vec3f{}; }).irradiance.x;
+    // Triangle 0 holds the points with x > y: u grows with x − y, v with y.
+    const float stored = irradiance.At(0, (x - 0.115f) / 2, (1 + 0.115f) / 2, true).x;
+    EXPECT_NEAR(stored / expected, 1, 0.05f) << x;
+  }
+}
+
+// Black tiles lie on a white floor, most of whose samples they hide: what is reflected between them
+// is that of the strips that are seen.
+TEST(LightSolver, StripsBetweenTilesReflectAllTheirLight) {
+  SceneBuilder builder;
+  const int white = builder.AddMaterial(Vec3f{0.8f, 0.8f, 0.8f}),
+            black = builder.AddMaterial(Vec3f{});
+  builder.AddQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, white);
+  for (int i = 0; i < 14; ++i) {
+    const float x = 0.07f * float(i) + 0.013f;
+    builder.AddBox({x, 0.01f, 0}, {x + 0.05f, 0.99f, 0.002f}, black);
+  }
+  const auto ceiling = std::uint32_t(builder.scene.mesh.triangles.size());
+  builder.AddQuad({0, 0, 0.5f}, {0, 1, 0}, {1, 0, 0}, white);
+  builder.AddLight({0.5f, 0.5f, 0.49f}, {0, 0.1f, 0}, {0.1f, 0, 0}, {5, 5, 5});
+  const RayTracer tracer(builder.scene);
+  const Irradiance irradiance(builder.scene, tracer, {});
+  const PathTracer paths(builder.scene, tracer);
+  RayPacket packet;
+  for (int i = 0; i < kPacketSize; ++i) packet.Set(i, {{0.2f, 0.3f, 0.35f}, {0, 0, 1}});
+  const float traced = MeanRadiance(paths, packet, 512).x;
+  const float stored = irradiance.At(ceiling, 0.1f, 0.2f, true).x;
+  EXPECT_NEAR(0.8f * stored / kPi / traced, 1, 0.04);
+}
+
 // Corners of tiles, where samples come first, hold a peg each and are dark; the tiles are not.
 TEST(LightSolver, DarkCornersDoNotStandForWhatLiesBetweenThem) {
   SceneBuilder builder;
