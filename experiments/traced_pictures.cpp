@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "silt/experiments/traced_pictures.h"
 
+#include <cstdint>
 #include <system_error>
 
 #include "silt/core/error.h"
@@ -11,6 +12,13 @@
 #include "silt/sim/scene_digest.h"
 
 namespace silt::experiments {
+
+namespace {
+
+// Rises with every change of what TraceReference computes.
+constexpr std::uint32_t kVersion = 1;
+
+}  // namespace
 
 TracedPictures::TracedPictures(const PathReference& reference, const std::filesystem::path& folder)
     : reference_(reference), folder_(folder) {
@@ -23,7 +31,7 @@ TracedPictures::TracedPictures(const PathReference& reference, const std::filesy
 std::filesystem::path TracedPictures::FileOf(const std::string& scene_digest, const LightView& view,
                                              std::uint32_t number, int half) const {
   sim::ContentHash hash;
-  hash.AddBytes(scene_digest.data(), scene_digest.size());
+  hash.Add(kVersion).AddBytes(scene_digest.data(), scene_digest.size());
   const Quaternion<double>& q = view.world_from_camera.rotation;
   const Vec3d& t = view.world_from_camera.translation;
   for (const double value : {q.w, q.x, q.y, q.z, t.x, t.y, t.z}) hash.Add(value);
@@ -35,12 +43,14 @@ std::filesystem::path TracedPictures::FileOf(const std::string& scene_digest, co
 ReferencePicture TracedPictures::Of(const sim::LitScene& scene, const LightView& view,
                                     std::uint32_t number) const {
   if (folder_.empty()) return TraceReference(scene, view, number, reference_);
-  const std::string digest = sim::SceneDigest(scene.scene());
+  const std::string digest = sim::SceneDigest(
+      scene.scene(), reference_.reflection ? sim::SurfacesAre::kAsGiven : sim::SurfacesAre::kMatt);
   const std::filesystem::path files[] = {FileOf(digest, view, number, 0),
                                          FileOf(digest, view, number, 1)};
   const PinholeCamera camera = IclNuimCameraOfWidth(reference_.width);
   ReferencePicture picture;
-  if (exists(files[0]) && exists(files[1])) {
+  std::error_code ignored;
+  if (exists(files[0], ignored) && exists(files[1], ignored)) {
     for (const int half : {0, 1}) {
       picture.half[half] = ReadNpy(files[half], camera.width, camera.height);
     }

@@ -9,10 +9,9 @@
 
 namespace silt::experiments {
 
-// References, kept in a folder if one is named, since many paths take long: a picture
-// is traced once and read by later runs. A file is named by a fingerprint of the scene, the view
-// and the settings, and is thus never that of others; what changes the path tracer itself asks for
-// an empty folder.
+// References, kept in a folder if one is named, since many paths take long: a picture is traced
+// once and read by later runs. A file is named by a fingerprint of the scene, the view and the
+// settings, and is thus never that of others.
 class TracedPictures {
  public:
   // Throws silt::Error where the folder cannot be made.

@@ -70,7 +70,7 @@ std::optional<fs::path> LightCacheFile(const Scene& scene, const LightingOptions
       .Add(options.bounce_directions)
       .Add(options.bounces);
   hash.Add(options.seed);
-  const std::string digest = SceneDigest(scene);
+  const std::string digest = SceneDigest(scene, SurfacesAre::kMatt);
   hash.AddBytes(digest.data(), digest.size());
   return *folder / (std::string(kPrefix) + hash.Digest());
 }

@@ -11,10 +11,11 @@ namespace silt::sim {
 
 namespace {
 
-void AddMaterials(const Scene& scene, ContentHash& hash) {
+void AddMaterials(const Scene& scene, SurfacesAre surfaces, ContentHash& hash) {
   for (const Material& m : scene.materials) {
     hash.AddBytes(&m.diffuse, sizeof(m.diffuse)).AddBytes(&m.emission, sizeof(m.emission));
     hash.Add(m.two_sided).Add(m.cutout).Add(m.texture);
+    if (surfaces == SurfacesAre::kMatt) continue;
     hash.Add(m.specular).Add(m.metallic).Add(m.roughness).Add(m.mirror);
   }
   std::vector<std::string> digests(scene.textures.size());
@@ -32,13 +33,13 @@ void AddEnvironment(const Scene& scene, ContentHash& hash) {
 
 }  // namespace
 
-std::string SceneDigest(const Scene& scene) {
+std::string SceneDigest(const Scene& scene, SurfacesAre surfaces) {
   ContentHash hash;
   hash.AddArray(scene.mesh.positions).AddArray(scene.mesh.normals);
   hash.AddArray(scene.mesh.texcoords).AddArray(scene.mesh.triangles);
   hash.AddArray(scene.lights).AddBytes(&scene.ambient, sizeof(scene.ambient));
   AddEnvironment(scene, hash);
-  AddMaterials(scene, hash);
+  AddMaterials(scene, surfaces, hash);
   return hash.Digest();
 }
 

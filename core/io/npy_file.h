@@ -15,7 +15,7 @@ namespace silt {
 void WriteNpy(const std::filesystem::path& file, const Image<float>& image);
 void WriteNpy(const std::filesystem::path& file, const Image<Vec3f>& image);
 
-// An image that WriteNpy wrote, of that size; anything else in the file is an error.
+// What the last of these wrote, of that size; anything else in the file is an error.
 Image<Vec3f> ReadNpy(const std::filesystem::path& file, int width, int height);
 
 }  // namespace silt

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "silt/core/color.h"
 #include "silt/core/error.h"
 #include "silt/core/random.h"
+#include "silt/experiments/case_runner.h"
 
 namespace silt::experiments {
 namespace {
@@ -48,6 +51,34 @@ TEST(LightComparison, DifferencesAreDrawnAboutGray) {
   const Rgb8 pixel = DifferencePicture(OfSteps(130), OfSteps(128), 1)(3, 3);
   EXPECT_NEAR(pixel.r, 128 + 16, 1);
   EXPECT_NEAR(DifferencePicture(OfSteps(100), OfSteps(200), 1)(3, 3).g, 0, 0);
+}
+
+// A black board, lower than the middle of the picture by so many pixels, before a white background:
+// what it covers of the pixels at its edge is known to half an interval of the grid of places.
+TEST(LightComparison, BakedPixelsAreMeansOverTheirSquares) {
+  constexpr int width = 64;
+  const PinholeCamera camera = IclNuimCameraOfWidth(width);
+  for (const float edge : {0.28f, 0.53f, 0.81f}) {
+    sim::Scene scene;
+    scene.materials.push_back({});
+    scene.materials[0].diffuse = {};
+    scene.ambient = {1, 1, 1};
+    const float y = (edge + 0.5f - float(camera.height % 2) / 2) / float(camera.fy);
+    for (const Vec3f& p : {Vec3f{-9, y, 1}, {9, y, 1}, {9, 9, 1}, {-9, 9, 1}}) {
+      scene.mesh.positions.push_back(p);
+      scene.mesh.normals.push_back({0, 0, -1});
+      scene.mesh.texcoords.push_back({});
+    }
+    scene.mesh.triangles = {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}};
+    sim::LightingOptions coarse;
+    coarse.direct_spacing_m = 10;
+    const auto lit = std::make_shared<const sim::LitScene>(std::move(scene), coarse);
+    const Image<Vec3f> picture = RenderBaked(lit, {"", SE3d{}}, width);
+    double white = 0;
+    for (int row = 0; row < picture.height(); ++row) white += picture(width / 2, row).x;
+    const double expected = camera.cy + 0.5 + double(y) * camera.fy;
+    EXPECT_NEAR(white, expected, 0.51 / 32) << edge;
+  }
 }
 
 TEST(LightComparison, ViewsAreSharedByThePaths) {

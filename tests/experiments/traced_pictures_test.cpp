@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "silt/core/error.h"
 #include "silt/core/io/npy_file.h"
@@ -25,10 +28,12 @@ std::vector<fs::path> FilesIn(const fs::path& folder) {
 
 class TracedPicturesTest : public testing::Test {
  protected:
-  static sim::LitScene TracedStudio() {
+  static sim::LitScene TracedStudio(float more_roughness = 0) {
     sim::LightingOptions lighting;
     lighting.mode = sim::LightMode::kPath;
-    return sim::LitScene(sim::LoadScene(SceneFile("studio")), lighting);
+    sim::Scene scene = sim::LoadScene(SceneFile("studio"));
+    for (sim::Material& material : scene.materials) material.roughness += more_roughness;
+    return sim::LitScene(std::move(scene), lighting);
   }
 
   const TestFolder folder_;
@@ -48,9 +53,13 @@ TEST_F(TracedPicturesTest, AreTracedOnceAndThenRead) {
 }
 
 TEST_F(TracedPicturesTest, AreNeverThoseOfOtherViewsOrSettings) {
-  const auto keep = [&](const LightView& view, const PathReference& reference) {
-    TracedPictures(reference, folder_.path()).Of(scene_, view, 0);
+  const auto keep_of = [&](const sim::LitScene& scene, const LightView& view,
+                           const PathReference& reference) {
+    TracedPictures(reference, folder_.path()).Of(scene, view, 0);
     return FilesIn(folder_.path()).size();
+  };
+  const auto keep = [&](const LightView& view, const PathReference& reference) {
+    return keep_of(scene_, view, reference);
   };
   EXPECT_EQ(keep(view_, reference_), 2u);
   LightView moved = view_;
@@ -64,6 +73,10 @@ TEST_F(TracedPicturesTest, AreNeverThoseOfOtherViewsOrSettings) {
   other.reflection = true;
   EXPECT_EQ(keep(view_, other), 10u);
   EXPECT_EQ(keep(view_, reference_), 10u);
+  // Gloss changes the picture only where it is traced.
+  const sim::LitScene rough = TracedStudio(0.1f);
+  EXPECT_EQ(keep_of(rough, view_, reference_), 10u);
+  EXPECT_EQ(keep_of(rough, view_, other), 12u);
 }
 
 TEST_F(TracedPicturesTest, AFileThatIsNoneIsNamed) {
