@@ -12,16 +12,16 @@ namespace {
 // The light of fewer samples is computed in about the time that it takes to read it.
 constexpr std::size_t kFewSamples = 200'000;
 
-StoredLight SolveOrRead(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
-                        const LightingOptions& options) {
+BakedLight SolveOrRead(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
+                       const LightingOptions& options) {
   std::optional<std::filesystem::path> file;
   if (options.cache && grid.samples().size() >= kFewSamples) file = LightCacheFile(scene, options);
   if (file) {
-    if (std::optional<StoredLight> light = ReadLight(*file, grid.samples().size())) {
+    if (std::optional<BakedLight> light = ReadLight(*file, grid.samples().size())) {
       return std::move(*light);
     }
   }
-  StoredLight light = SolveLight(scene, tracer, grid, options);
+  BakedLight light = SolveLight(scene, tracer, grid, options);
   if (file) {
     try {
       WriteLight(*file, light);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // Rises with every change of what SolveLight or SurfaceGrid compute.
-constexpr std::uint32_t kVersion = 5;
+constexpr std::uint32_t kVersion = 6;
 constexpr std::size_t kDigestSize = 32;
 constexpr std::string_view kPrefix = "light-";
-constexpr std::size_t kEntries = 8;  // of some 35 MB for a furnished room
+constexpr std::size_t kEntries = 8;  // of some 80 MB for a furnished room
 
 std::optional<fs::path> CacheFolder() {
   const auto variable = [](const char* name) -> fs::path {
@@ -35,8 +36,13 @@ std::optional<fs::path> CacheFolder() {
   return std::nullopt;
 }
 
-std::string Checksum(const StoredLight& light) {
-  return ContentHash().AddArray(light.front).AddArray(light.back).Digest();
+std::string Checksum(const BakedLight& light) {
+  return ContentHash()
+      .AddArray(light.samples.front)
+      .AddArray(light.samples.back)
+      .AddArray(light.fine.patches())
+      .AddArray(light.fine.irradiance())
+      .Digest();
 }
 
 // Another process may do the same: what is gone already is no failure.
@@ -51,8 +57,22 @@ void RemoveOldEntries(const fs::path& folder) {
   for (std::size_t i = kEntries; i < entries.size(); ++i) fs::remove(entries[i].second, ignored);
 }
 
-std::string_view Bytes(const std::vector<Vec3f>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Vec3f)};
+template <typename T>
+std::string_view Bytes(const std::vector<T>& values) {
+  static_assert(std::has_unique_object_representations_v<T> || std::is_same_v<T, Vec3f>);
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+template <typename T>
+void Read(std::istream& in, std::vector<T>& values) {
+  in.read(reinterpret_cast<char*>(values.data()), std::streamsize(Bytes(values).size()));
+}
+
+// How many patches lie in what is left of a file of so many bytes, if it is a whole number.
+std::optional<std::size_t> PatchesIn(std::uintmax_t bytes) {
+  constexpr std::uintmax_t each = sizeof(FineLight::Patch) + FineLight::kPlaces * sizeof(Vec3f);
+  if (bytes % each != 0) return std::nullopt;
+  return std::size_t(bytes / each);
 }
 
 }  // namespace
@@ -68,31 +88,44 @@ std::optional<fs::path> LightCacheFile(const Scene& scene, const LightingOptions
       .Add(options.gather_rounds)
       .Add(options.gather_tolerance)
       .Add(options.bounce_directions)
-      .Add(options.bounces);
+      .Add(options.bounces)
+      .Add(options.refine_tolerance);
   hash.Add(options.seed);
   const std::string digest = SceneDigest(scene, SurfacesAre::kMatt);
   hash.AddBytes(digest.data(), digest.size());
   return *folder / (std::string(kPrefix) + hash.Digest());
 }
 
-std::optional<StoredLight> ReadLight(const fs::path& file, std::size_t samples) {
+// A checksum, both sides of the samples, and what is left of the file are patches.
+std::optional<BakedLight> ReadLight(const fs::path& file, std::size_t samples) {
+  std::error_code none;
+  const std::uintmax_t size = fs::file_size(file, none),
+                       least = kDigestSize + 2 * samples * sizeof(Vec3f);
+  if (none || size < least) return std::nullopt;
+  const std::optional<std::size_t> count = PatchesIn(size - least);
+  if (!count) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
   std::string checksum(kDigestSize, '\0');
-  StoredLight light(samples);
   in.read(checksum.data(), kDigestSize);
-  for (std::vector<Vec3f>* values : {&light.front, &light.back}) {
-    in.read(reinterpret_cast<char*>(values->data()),
-            std::streamsize(values->size() * sizeof(Vec3f)));
-  }
-  if (!in || in.peek() != std::ifstream::traits_type::eof()) return std::nullopt;
+  StoredLight stored(samples);
+  std::vector<FineLight::Patch> patches(*count);
+  std::vector<Vec3f> irradiance(*count * FineLight::kPlaces);
+  Read(in, stored.front);
+  Read(in, stored.back);
+  Read(in, patches);
+  Read(in, irradiance);
+  if (!in || !std::is_sorted(patches.begin(), patches.end())) return std::nullopt;
+  BakedLight light{std::move(stored), {std::move(patches), std::move(irradiance)}};
   if (checksum != Checksum(light)) return std::nullopt;
   return light;
 }
 
-void WriteLight(const fs::path& file, const StoredLight& light) {
+void WriteLight(const fs::path& file, const BakedLight& light) {
   std::string contents = Checksum(light);
-  contents += Bytes(light.front);
-  contents += Bytes(light.back);
+  contents += Bytes(light.samples.front);
+  contents += Bytes(light.samples.back);
+  contents += Bytes(light.fine.patches());
+  contents += Bytes(light.fine.irradiance());
   WriteFileAtomically(file, contents);
   RemoveOldEntries(file.parent_path());
 }

@@ -17,9 +17,9 @@ std::optional<std::filesystem::path> LightCacheFile(const Scene& scene,
                                                     const LightingOptions& options);
 
 // The light in a file, if it holds that of `samples` samples and its checksum is right.
-std::optional<StoredLight> ReadLight(const std::filesystem::path& file, std::size_t samples);
+std::optional<BakedLight> ReadLight(const std::filesystem::path& file, std::size_t samples);
 
 // Removes older entries beside it. Throws silt::Error where the file cannot be written.
-void WriteLight(const std::filesystem::path& file, const StoredLight& light);
+void WriteLight(const std::filesystem::path& file, const BakedLight& light);
 
 }  // namespace silt::sim

@@ -12,6 +12,7 @@
 #include "silt/sim/environment_light.h"
 #include "silt/sim/gathered_light.h"
 #include "silt/sim/indirect_light.h"
+#include "silt/sim/light_refinement.h"
 #include "silt/sim/surface_colors.h"
 
 namespace silt::sim {
@@ -19,7 +20,7 @@ namespace silt::sim {
 namespace {
 
 // Shares of the work, about, in the office.
-constexpr double kDirectDone = 0.3, kBouncesDone = 0.5;
+constexpr double kDirectDone = 0.2, kBouncesDone = 0.3, kGatheringDone = 0.6;
 // After so many passes the rest of the series of reflections is extrapolated.
 constexpr int kExtrapolateAfter = 3;
 constexpr float kFillInSpacings = 2.5f;
@@ -99,7 +100,7 @@ class LightSolver {
         options_(options),
         colors_(scene, grid, options.direct_spacing_m) {}
 
-  StoredLight Solve() {
+  BakedLight Solve() {
     for (const bool front : {true, false}) near_[front] = LookAround(front);
     StoredLight direct = SolveDirect();
     for (const bool front : {true, false}) Fill(front, Buried(front), direct);
@@ -108,7 +109,11 @@ class LightSolver {
     const StoredLight sent = colors_.Radiance(Sum(direct, SolveBounces(direct, coarse)));
     StoredLight indirect(samples_.size());
     for (const bool front : {true, false}) GatherSide(front, sent, coarse, direct, indirect);
-    return Sum(direct, indirect);
+    const LightRefinement refinement(scene_, tracer_, grid_, options_);
+    FineLight fine = refinement.Refine({direct, indirect, near_}, [&](double done) {
+      if (options_.progress) options_.progress(kGatheringDone + (1 - kGatheringDone) * done);
+    });
+    return {Sum(direct, indirect), std::move(fine)};
   }
 
  private:
@@ -179,12 +184,12 @@ class LightSolver {
         samples_, coarse, distance_m, options_.direct_spacing_m, options_.indirect_spacing_m);
     NarrowBy(near_[front], options_.direct_spacing_m, widths);
     const SampleClusters fine = ClusterSamples(samples_, widths);
-    const double middle = (1 + kBouncesDone) / 2;
+    const double middle = (kGatheringDone + kBouncesDone) / 2;
     std::vector<Gathered> gathered =
         Gather(front, sent, fine.leaders,
                {options_.gather_directions,
                 0,
-                front ? ProgressRange{kBouncesDone, middle} : ProgressRange{middle, 1},
+                front ? ProgressRange{kBouncesDone, middle} : ProgressRange{middle, kGatheringDone},
                 {options_.gather_rounds, options_.gather_tolerance},
                 &direct});
     std::vector<bool> buried = Buried(front);
@@ -258,8 +263,8 @@ class LightSolver {
 
 }  // namespace
 
-StoredLight SolveLight(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
-                       const LightingOptions& options) {
+BakedLight SolveLight(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
+                      const LightingOptions& options) {
   return LightSolver(scene, tracer, grid, options).Solve();
 }
 

@@ -45,6 +45,7 @@ Shading::Shading(const Scene& scene, const Irradiance& irradiance) : textures_(s
     records_.push_back(TriangleRecord(scene, triangle));
   }
   StoreLight(scene, irradiance, LayRows(irradiance.grid()));
+  StoreFineLight(scene, irradiance.fine());
 }
 
 Shading::Record Shading::TriangleRecord(const Scene& scene, const Triangle& triangle) const {
@@ -70,13 +71,10 @@ Shading::Record Shading::TriangleRecord(const Scene& scene, const Triangle& tria
 }
 
 std::vector<Shading::LightPoint> Shading::LayRows(const SurfaceGrid& grid) {
-  // A triangle with samples at its corners alone is one with a row from corner 1 to corner 2.
-  static constexpr std::uint32_t kCorners[] = {0, 2, 3};
   std::vector<LightPoint> points;
   for (std::uint32_t i = 0; i < records_.size(); ++i) {
     Record& record = records_[i];
-    SurfaceGrid::TriangleRows rows = grid.RowsOf(i);
-    if (rows.count == 0) rows = {1, 0, kCorners};
+    const SurfaceGrid::TriangleRows rows = grid.CellRowsOf(i);
     record.rows = std::uint16_t(rows.count);
     record.apex = std::uint16_t(rows.apex);
     record.first_row = std::uint32_t(row_begin_.size());
@@ -110,13 +108,29 @@ void Shading::StoreLight(const Scene& scene, const Irradiance& irradiance,
       const LightPoint& p = points[k];
       const Material& material = scene.materials[scene.mesh.triangles[p.triangle].material];
       const auto radiance = [&](bool front) {
-        const Vec3f exitance = material.diffuse * irradiance.At(p.triangle, p.u, p.v, front);
+        const Vec3f exitance = material.diffuse * irradiance.AtSamples(p.triangle, p.u, p.v, front);
         return Float4From(material.emission + std::numbers::inv_pi_v<float> * exitance);
       };
       front_[k] = radiance(true);
       if (material.two_sided) back_[k] = radiance(false);
     }
   });
+}
+
+void Shading::StoreFineLight(const Scene& scene, const FineLight& fine) {
+  patches_.reserve(fine.irradiance().size());
+  for (std::size_t i = 0; i < fine.patches().size(); ++i) {
+    const FineLight::Patch& patch = fine.patches()[i];
+    const Record& record = records_[patch.cell.triangle];
+    const std::uint32_t row = row_begin_[record.first_row + patch.cell.row];
+    (patch.front ? front_ : back_)[row + patch.cell.column][3] = float(i + 1);
+    const Material& material = scene.materials[scene.mesh.triangles[patch.cell.triangle].material];
+    for (int k = 0; k < FineLight::kPlaces; ++k) {
+      const Vec3f& e = fine.irradiance()[i * FineLight::kPlaces + std::size_t(k)];
+      patches_.push_back(
+          Float4From(material.emission + std::numbers::inv_pi_v<float> * (material.diffuse * e)));
+    }
+  }
 }
 
 void Shading::FindLight(const Record& record, const SurfaceHit& hit, Place& place) const {
@@ -139,6 +153,7 @@ void Shading::FindLight(const Record& record, const SurfaceHit& hit, Place& plac
   place.near = in_row(begin[0], begin[1], place.near_share);
   place.far = in_row(begin[1], begin[2], place.far_share);
   place.between_rows = height - float(row);
+  place.patches = patches_.data();
 }
 
 // A cone of width w meets the surface in an ellipse, w wide and w/cos long. One probe of its mean
@@ -161,6 +176,14 @@ void Shading::FindTexture(const Record& record, const SurfaceHit& hit, Place& pl
       record.log2_texels_per_metre + 0.5f * QuickLog2(w * w / (cosine * float(place.probes)));
   place.texture->Find(place.first.x, place.first.y, place.lod, place.probe);
   place.probe.Prefetch();
+}
+
+Float4 Shading::Place::FineLightHere() const {
+  const FineLight::Corner corner = FineLight::CornerOf(near_share, between_rows);
+  const Float4* row =
+      patches + (std::size_t(near[0][3]) - 1) * FineLight::kPlaces + std::size_t(corner.first);
+  const Float4* next = row + FineLight::kSide;
+  return Lerp(Lerp(row[0], row[1], corner.along), Lerp(next[0], next[1], corner.along), corner.up);
 }
 
 Float4 Shading::Place::MeanOfProbes() const {

@@ -40,6 +40,7 @@ class Shading {
   // Where the radiance of a hit is read.
   struct Place {
     const Float4 *near, *far;  // two neighbours each in the two rows next to the hit
+    const Float4* patches;     // of the fine light; near[0][3] tells which, from 1 on, if any
     float near_share, far_share, between_rows;
     const Texture* texture;  // null: none
     int probes;              // of the texture, evenly along the footprint
@@ -48,13 +49,15 @@ class Shading {
     Texture::Place probe;    // the first
 
     Float4 Read() const {
-      const Float4 light =
-          Lerp(Lerp(near[0], near[1], near_share), Lerp(far[0], far[1], far_share), between_rows);
+      const Float4 light = near[0][3] == 0 ? Lerp(Lerp(near[0], near[1], near_share),
+                                                  Lerp(far[0], far[1], far_share), between_rows)
+                                           : FineLightHere();
       if (texture == nullptr) return light;
       return light * (probes == 1 ? probe.Read() : MeanOfProbes());
     }
 
    private:
+    Float4 FineLightHere() const;
     Float4 MeanOfProbes() const;
   };
   // Round 2, which writes the place where it is to stay, see MipLevel::Find; Place::Read is
@@ -82,13 +85,17 @@ class Shading {
   std::vector<LightPoint> LayRows(const SurfaceGrid& grid);
   void StoreLight(const Scene& scene, const Irradiance& irradiance,
                   const std::vector<LightPoint>& points);
+  void StoreFineLight(const Scene& scene, const FineLight& fine);
   void FindTexture(const Record& record, const SurfaceHit& hit, Place& place) const;
   void FindLight(const Record& record, const SurfaceHit& hit, Place& place) const;
 
   const std::vector<Texture>& textures_;
   HugePageVector<Record> records_;           // by triangle
   HugePageVector<std::uint32_t> row_begin_;  // index of each row's first value, and of the next
-  HugePageVector<Float4> front_, back_;      // radiance but for the texture
+  // Radiance but for the texture; the fourth number is that of the patch of the cell that the value
+  // begins, plus one, or 0.
+  HugePageVector<Float4> front_, back_;
+  HugePageVector<Float4> patches_;  // FineLight::kPlaces for each
 };
 
 // log2 of √(texels / area in m²) on a triangle, the geometric mean of both directions; 0 where

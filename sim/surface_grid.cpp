@@ -42,4 +42,37 @@ SurfaceLookup SurfaceGrid::Locate(std::uint32_t triangle, float u, float v) cons
   return lookup;
 }
 
+SurfaceGrid::TriangleRows SurfaceGrid::CellRowsOf(std::uint32_t triangle) const {
+  static constexpr std::uint32_t kCorners[] = {0, 2, 3};
+  const TriangleRows rows = RowsOf(triangle);
+  return rows.count > 0 ? rows : TriangleRows{1, 0, kCorners};
+}
+
+SurfaceGrid::CellPlace SurfaceGrid::CellAt(std::uint32_t triangle, float u, float v) const {
+  const TriangleRows rows = CellRowsOf(triangle);
+  const float weight[3] = {1 - u - v, u, v};
+  const float base = weight[(rows.apex + 1) % 3], next = weight[(rows.apex + 2) % 3];
+  const float along = base + next > 0 ? std::clamp(next / (base + next), 0.0f, 1.0f) : 0.0f;
+  const float height = std::clamp(weight[rows.apex], 0.0f, 1.0f) * float(rows.count);
+  const int row = std::min(int(height), rows.count - 1);
+  const int intervals = rows.Intervals(row);
+  const float x = along * float(intervals);
+  const int column = std::min(int(x), intervals - 1);
+  return {{triangle, std::uint16_t(row), std::uint16_t(column)},
+          x - float(column),
+          height - float(row)};
+}
+
+Vec2f SurfaceGrid::PointOf(const CellPlace& place) const {
+  const TriangleRows rows = CellRowsOf(place.cell.triangle);
+  const float up = (float(place.cell.row) + place.up) / float(rows.count);
+  const float along =
+      (float(place.cell.column) + place.along) / float(rows.Intervals(place.cell.row));
+  float weight[3];
+  weight[rows.apex] = up;
+  weight[(rows.apex + 1) % 3] = (1 - up) * (1 - along);
+  weight[(rows.apex + 2) % 3] = (1 - up) * along;
+  return {weight[1], weight[2]};
+}
+
 }  // namespace silt::sim

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -51,6 +52,25 @@ class SurfaceGrid {
     if (grid == kNoGrid) return {};
     return {grids_[grid].count, grids_[grid].apex, &row_begin_[grids_[grid].first_row]};
   }
+
+  // The same with a row from corner 1 to corner 2 for a triangle with samples at its corners alone.
+  TriangleRows CellRowsOf(std::uint32_t triangle) const;
+
+  // What lies between two rows of a triangle and two neighbours of the lower one: from the share
+  // column/intervals of the way along both rows to (column + 1)/intervals, intervals being those of
+  // the lower row. Cells tile the triangle.
+  struct Cell {
+    std::uint32_t triangle;
+    std::uint16_t row, column;
+    auto operator<=>(const Cell&) const = default;
+  };
+  // In a cell; along its rows and from one to the next, in [0, 1].
+  struct CellPlace {
+    Cell cell;
+    float along, up;
+  };
+  CellPlace CellAt(std::uint32_t triangle, float u, float v) const;
+  Vec2f PointOf(const CellPlace& place) const;  // its u, v
 
   // A triangle on which each sample lies, and where: what is known there can be had for a sample.
   struct Origin {

@@ -9,7 +9,6 @@ namespace silt::sim {
 
 namespace {
 
-constexpr float kPullM = 1e-3f;
 constexpr float kMostIntervals = 1024;  // of a side, so that wide open ground stays finite
 constexpr int kRowsOfWide = 3;
 constexpr float kLong = 4;            // length to thickness
@@ -25,38 +24,12 @@ int Intervals(float length_m, float spacing_m) {
   return int(std::clamp(std::ceil(length_m / spacing_m), 1.0f, kMostIntervals));
 }
 
-// From the edges of a triangle on which weight w lies, at right angles to them.
-Vec3f Inward(const Vec3f (&p)[3], const Vec3f& w) {
-  Vec3f sum;
-  for (int i = 0; i < 3; ++i) {
-    if ((&w.x)[i] > 0) continue;
-    const Vec3f& a = p[(i + 1) % 3];
-    const Vec3f along = SafelyNormalized(p[(i + 2) % 3] - a, {});
-    const Vec3f height = p[i] - a - Dot(p[i] - a, along) * along;
-    const float length = Norm(height);
-    if (length > 0) sum += (std::min(kPullM, length / 3) / length) * height;
-  }
-  return sum;
-}
-
 }  // namespace
-
-SurfaceGridBuilder::Corners SurfaceGridBuilder::CornersOf(const Triangle& triangle) const {
-  Corners c;
-  for (int i = 0; i < 3; ++i) c.position[i] = mesh_.positions[triangle.vertex[i]];
-  c.front = SafelyNormalized(Cross(c.position[1] - c.position[0], c.position[2] - c.position[0]),
-                             {0, 0, 1});
-  for (int i = 0; i < 3; ++i) {
-    const Vec3f n = SafelyNormalized(mesh_.normals[triangle.vertex[i]], c.front);
-    c.normal[i] = Dot(n, c.front) < 0 ? -n : n;  // models disagree about which side is out
-  }
-  return c;
-}
 
 void SurfaceGridBuilder::Build() {
   grid_.triangles_.reserve(mesh_.triangles.size());
   for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
-    const Corners corners = CornersOf(mesh_.triangles[i]);
+    const TriangleCorners corners(mesh_, mesh_.triangles[i]);
     const Vec3f(&p)[3] = corners.position;
     const float longest = std::max({Norm(p[1] - p[0]), Norm(p[2] - p[1]), Norm(p[0] - p[2])});
     SurfaceGrid::TriangleSamples& samples = grid_.triangles_.emplace_back();
@@ -68,7 +41,7 @@ void SurfaceGridBuilder::Build() {
   PullInwards();
 }
 
-void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners) {
+void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const TriangleCorners& corners) {
   const Vec3f(&p)[3] = corners.position;
   const auto edge = [&](int apex) { return Norm(p[(apex + 2) % 3] - p[(apex + 1) % 3]); };
   int longest = 0, shortest = 0;
@@ -108,10 +81,9 @@ void SurfaceGridBuilder::LayRows(std::uint32_t triangle, const Corners& corners)
   grid_.row_begin_.push_back(std::uint32_t(grid_.row_samples_.size()));
 }
 
-std::uint32_t SurfaceGridBuilder::Sample(std::uint32_t triangle, const Corners& c, const Vec3f& w) {
-  const Vec3f position = w.x * c.position[0] + w.y * c.position[1] + w.z * c.position[2];
-  const Vec3f normal =
-      SafelyNormalized(w.x * c.normal[0] + w.y * c.normal[1] + w.z * c.normal[2], c.normal[0]);
+std::uint32_t SurfaceGridBuilder::Sample(std::uint32_t triangle, const TriangleCorners& c,
+                                         const Vec3f& w) {
+  const Vec3f position = c.Position(w), normal = c.Normal(w);
   const auto cell = [](float x, float scale) {
     const float scaled = std::clamp(x * scale, -2e9f, 2e9f);
     return std::int32_t(scaled + (scaled < 0 ? -0.5f : 0.5f));
@@ -129,7 +101,7 @@ std::uint32_t SurfaceGridBuilder::Sample(std::uint32_t triangle, const Corners& 
     rims_.push_back({});
   }
   if (rim) {
-    rims_[number].inward += Inward(c.position, w);
+    rims_[number].inward += c.Inward(w);
     rims_[number].front += c.front;
   }
   return number;
@@ -143,7 +115,7 @@ void SurfaceGridBuilder::PullInwards() {
     const Vec3f front = SafelyNormalized(rims_[i].front, sample.normal);
     const Vec3f way = rims_[i].inward - Dot(rims_[i].inward, front) * front;
     const float length = Norm(way);
-    if (length > 0) sample.position += (std::min(1.0f, kPullM / length)) * way;
+    if (length > 0) sample.position += (std::min(1.0f, TriangleCorners::kInwardM / length)) * way;
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "silt/sim/sample_index.h"
 #include "silt/sim/surface_grid.h"
+#include "silt/sim/triangle_corners.h"
 
 namespace silt::sim {
 
@@ -19,14 +20,9 @@ class SurfaceGridBuilder {
   void Build();
 
  private:
-  struct Corners {
-    Vec3f position[3], normal[3], front;
-  };
-
-  Corners CornersOf(const Triangle& triangle) const;
-  void LayRows(std::uint32_t triangle, const Corners& corners);
+  void LayRows(std::uint32_t triangle, const TriangleCorners& corners);
   // The sample at corners·weight, new or shared. `rim`: on an edge of the triangle.
-  std::uint32_t Sample(std::uint32_t triangle, const Corners& corners, const Vec3f& weight);
+  std::uint32_t Sample(std::uint32_t triangle, const TriangleCorners& corners, const Vec3f& weight);
   void PullInwards();
 
   const Mesh& mesh_;

@@ -43,7 +43,12 @@ class LightCache : public testing::Test {
   std::optional<std::string> before_;
 };
 
-StoredLight SomeLight() { return {{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {0.5f, 0, 1e-20f}}}; }
+BakedLight SomeLight() {
+  std::vector<Vec3f> fine(2 * FineLight::kPlaces, {1, 2, 3});
+  fine.back() = {0, 0, 4};
+  return {{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {0.5f, 0, 1e-20f}}},
+          {{{{3, 1, 2}, 0}, {{3, 1, 4}, 1}}, fine}};
+}
 
 std::string Contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -56,10 +61,13 @@ void Overwrite(const fs::path& file, const std::string& contents) {
 
 TEST_F(LightCache, GivesBackWhatWasWritten) {
   WriteLight(folder_ / "light", SomeLight());
-  const std::optional<StoredLight> light = ReadLight(folder_ / "light", 2);
+  const std::optional<BakedLight> light = ReadLight(folder_ / "light", 2);
   ASSERT_TRUE(light);
-  EXPECT_EQ(light->front[1].y, 5);
-  EXPECT_EQ(light->back[1].z, 1e-20f);
+  EXPECT_EQ(light->samples.front[1].y, 5);
+  EXPECT_EQ(light->samples.back[1].z, 1e-20f);
+  ASSERT_EQ(light->fine.patches().size(), 2u);
+  EXPECT_EQ(light->fine.patches()[1], SomeLight().fine.patches()[1]);
+  EXPECT_EQ(light->fine.irradiance().back().z, 4);
 }
 
 TEST_F(LightCache, AFileThatIsNotRightIsNotRead) {
@@ -87,8 +95,9 @@ TEST_F(LightCache, AFileThatIsNotRightIsNotRead) {
 TEST_F(LightCache, WritersAndReadersDoNotMeet) {
   const fs::path file = folder_ / "light-shared";
   const auto light_of = [](int writer) {
-    return StoredLight(std::vector<Vec3f>(20'000, {float(writer), 0, 0}),
-                       std::vector<Vec3f>(20'000, {0, float(writer), 0}));
+    return BakedLight{StoredLight(std::vector<Vec3f>(20'000, {float(writer), 0, 0}),
+                                  std::vector<Vec3f>(20'000, {0, float(writer), 0})),
+                      {}};
   };
   WriteLight(file, light_of(0));
   std::atomic<bool> stop{false};
@@ -99,8 +108,8 @@ TEST_F(LightCache, WritersAndReadersDoNotMeet) {
     });
   }
   for (int i = 0; i < 50; ++i) {
-    const std::optional<StoredLight> light = ReadLight(file, 20'000);
-    EXPECT_TRUE(light && light->front.front().x == light->back.back().y);
+    const std::optional<BakedLight> light = ReadLight(file, 20'000);
+    EXPECT_TRUE(light && light->samples.front.front().x == light->samples.back.back().y);
   }
   stop = true;
   for (std::thread& writer : writers) writer.join();
@@ -124,20 +133,22 @@ TEST_F(LightCache, TheNameFollowsAllThatLightDependsOn) {
   sky.ambient.x += 1e-3f;
   turned.materials[0].two_sided = false;
   for (const Scene& other : {moved, tinted, lamp, sky, turned, out}) add(other);
-  LightingOptions finer, more_points, more_directions, other_seed;
+  LightingOptions finer, more_points, more_directions, other_seed, unrefined;
   finer.direct_spacing_m /= 2;
   more_points.light_points *= 2;
   more_directions.gather_directions *= 2;
   other_seed.seed = 1;
-  for (const LightingOptions& other : {finer, more_points, more_directions, other_seed}) {
+  unrefined.refine_tolerance = 1;
+  for (const LightingOptions& other :
+       {finer, more_points, more_directions, other_seed, unrefined}) {
     add(scene, other);
   }
-  EXPECT_EQ(names.size(), 11u);
+  EXPECT_EQ(names.size(), 12u);
   Scene exposed = scene;
   exposed.exposure *= 2;  // does not change the light, nor does gloss
   exposed.materials[0].roughness += 0.1f;
   add(exposed);
-  EXPECT_EQ(names.size(), 11u);
+  EXPECT_EQ(names.size(), 12u);
 }
 
 TEST_F(LightCache, KeepsTheEntriesWrittenLast) {

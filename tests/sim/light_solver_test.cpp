@@ -254,15 +254,20 @@ TEST(LightSolver, DoesNotDependOnTheNumberOfThreads) {
   const Scene scene = RoomWithBoxAndBall();
   const RayTracer tracer(scene);
   const SurfaceGrid grid(scene.mesh, 0.2f);
-  StoredLight light[2];
+  BakedLight light[2];
   for (const int threads : {1, 2}) {
     SetThreadCount(threads);
     light[threads - 1] = SolveLight(scene, tracer, grid, {});
   }
   SetThreadCount(0);
   for (std::size_t i = 0; i < grid.samples().size(); ++i) {
-    EXPECT_EQ(light[0].front[i].x, light[1].front[i].x);
-    EXPECT_EQ(light[0].back[i].z, light[1].back[i].z);
+    EXPECT_EQ(light[0].samples.front[i].x, light[1].samples.front[i].x);
+    EXPECT_EQ(light[0].samples.back[i].z, light[1].samples.back[i].z);
+  }
+  EXPECT_FALSE(light[0].fine.patches().empty());
+  EXPECT_EQ(light[0].fine.patches(), light[1].fine.patches());
+  for (std::size_t i = 0; i < light[0].fine.irradiance().size(); ++i) {
+    EXPECT_EQ(light[0].fine.irradiance()[i].y, light[1].fine.irradiance()[i].y);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "scene_builder.h"
 #include "silt/sim/lit_scene.h"
@@ -129,6 +130,31 @@ TEST(Shading, ALongerFootprintChangesTheColourLittleByLittle) {
     }
     before = now;
   }
+}
+
+// Of stored light, fine cells and others, on both sides: what Irradiance tells.
+TEST(Shading, ShowsTheLightThatIsStored) {
+  SceneBuilder builder;
+  const int gray = builder.AddMaterial(Vec3f{0.5f, 0.5f, 0.5f});
+  builder.AddQuad({0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}, gray);
+  for (const float y : {0.1f, 0.2f, 0.3f, 0.4f}) {
+    builder.AddBox({0, y, 0.01f}, {0.5f, y + 0.01f, 0.02f}, gray);
+  }
+  builder.AddLight({0.2f, 0.2f, 1}, {0, 0.1f, 0}, {0.1f, 0, 0}, {50, 50, 50});
+  const LitScene lit(builder.scene);
+  const Irradiance& irradiance = lit.irradiance();
+  int fine = 0, coarse = 0;
+  for (int i = 0; i < 900; ++i) {
+    SurfaceHit hit = Hit(std::uint32_t(i % 2), i % 4 < 2 ? -1.0f : 1.0f);
+    hit.u = float(i % 30) / 30, hit.v = (1 - hit.u) * float(i / 30) / 30;
+    const bool front = hit.cosine < 0;
+    const Vec3f expected = irradiance.At(hit.triangle, hit.u, hit.v, front);
+    EXPECT_NEAR(Shade(lit, hit).y, 0.5f / std::numbers::pi_v<float> * expected.y, 1e-4f) << i;
+    ++(irradiance.fine().At(irradiance.grid().CellAt(hit.triangle, hit.u, hit.v), front) ? fine
+                                                                                         : coarse);
+  }
+  EXPECT_GT(fine, 50);
+  EXPECT_GT(coarse, 50);
 }
 
 }  // namespace

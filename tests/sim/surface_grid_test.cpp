@@ -193,5 +193,27 @@ TEST(SurfaceGrid, SliversAreLookedUpNearby) {
   }
 }
 
+// A place in a cell and the point of the triangle name each other, and on the cell's corners along
+// its lower row a sample lies.
+TEST(SurfaceGrid, CellsTileTheTriangle) {
+  for (const float spacing : {10.0f, 0.07f}) {
+    const Mesh mesh = Quad({1, 0, 0}, {0, 0.6f, 0.2f});
+    const SurfaceGrid grid(mesh, spacing);
+    for (int i = 0; i < 400; ++i) {
+      const float u = float(i % 20) / 20 + 0.01f, v = (1 - u) * (float(i / 20) / 20 + 0.02f);
+      const SurfaceGrid::CellPlace place = grid.CellAt(std::uint32_t(i % 2), u, v);
+      EXPECT_TRUE(place.along >= 0 && place.along <= 1 && place.up >= 0 && place.up <= 1);
+      const Vec2f point = grid.PointOf(place);
+      EXPECT_NEAR(point.x, u, 1e-5f) << spacing << " m, " << i;
+      EXPECT_NEAR(point.y, v, 1e-5f) << spacing << " m, " << i;
+      for (const float along : {0.0f, 1.0f}) {
+        const Vec2f corner = grid.PointOf({place.cell, along, 0});
+        const SurfaceLookup at = grid.Locate(place.cell.triangle, corner.x, corner.y);
+        EXPECT_GT(*std::max_element(at.weight, at.weight + 4), 0.999f);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace silt::sim
