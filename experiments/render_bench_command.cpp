@@ -53,7 +53,7 @@ double BakeSeconds(const sim::Scene& scene) {
   const sim::RayTracer tracer(scene);
   const sim::SurfaceGrid grid(scene.mesh, options.direct_spacing_m);
   const Stopwatch watch;
-  const sim::StoredLight light = SolveLight(scene, tracer, grid, options);
+  const sim::BakedLight light = SolveLight(scene, tracer, grid, options);
   const double seconds = watch.Seconds();
   if (const auto file = LightCacheFile(scene, options)) WriteLight(*file, light);
   return seconds;

@@ -18,14 +18,11 @@ class Irradiance {
   // ∫ L cos θ dω at a point of a triangle, on its front (counter-clockwise) or back.
   Vec3f At(std::uint32_t triangle, float u, float v, bool front) const {
     if (const auto fine = light_.fine.At(grid_.CellAt(triangle, u, v), front)) return *fine;
-    return AtSamples(triangle, u, v, front);
-  }
-  // The same from the grid's samples alone.
-  Vec3f AtSamples(std::uint32_t triangle, float u, float v, bool front) const {
     return light_.samples.At(grid_.Locate(triangle, u, v), front);
   }
 
   const SurfaceGrid& grid() const { return grid_; }
+  const StoredLight& at_samples() const { return light_.samples; }
   const FineLight& fine() const { return light_.fine; }
 
  private:

@@ -26,6 +26,21 @@ float QuickLog2(float x) {
   return exponent + ((-1 / 3.0f) * m + 2) * m - 5 / 3.0f;
 }
 
+// But for its texture.
+Float4 RadianceOf(const Material& material, const Vec3f& irradiance) {
+  return Float4From(material.emission +
+                    std::numbers::inv_pi_v<float> * (material.diffuse * irradiance));
+}
+
+template <typename Body>
+void ForBlocks(std::size_t n, const Body& body) {
+  constexpr std::size_t kBlock = 4096;
+  ParallelFor(int((n + kBlock - 1) / kBlock), [&](int block) {
+    const std::size_t begin = std::size_t(block) * kBlock;
+    for (std::size_t i = begin; i < std::min(n, begin + kBlock); ++i) body(i);
+  });
+}
+
 }  // namespace
 
 float Log2TexelsPerMetre(const Mesh& mesh, const Triangle& triangle, const Texture& texture) {
@@ -40,11 +55,10 @@ float Log2TexelsPerMetre(const Mesh& mesh, const Triangle& triangle, const Textu
 }
 
 Shading::Shading(const Scene& scene, const Irradiance& irradiance) : textures_(scene.textures) {
-  records_.reserve(scene.mesh.triangles.size());
-  for (const Triangle& triangle : scene.mesh.triangles) {
-    records_.push_back(TriangleRecord(scene, triangle));
-  }
-  StoreLight(scene, irradiance, LayRows(irradiance.grid()));
+  records_.resize(scene.mesh.triangles.size());
+  ForBlocks(records_.size(),
+            [&](std::size_t i) { records_[i] = TriangleRecord(scene, scene.mesh.triangles[i]); });
+  StoreLight(scene, irradiance.at_samples(), LayRows(irradiance.grid()));
   StoreFineLight(scene, irradiance.fine());
 }
 
@@ -81,14 +95,8 @@ std::vector<Shading::LightPoint> Shading::LayRows(const SurfaceGrid& grid) {
     for (int row = 0; row <= rows.count; ++row) {
       row_begin_.push_back(std::uint32_t(points.size()));
       const int intervals = rows.Intervals(row);
-      const float up = float(row) / float(rows.count);
       for (int column = 0; column <= intervals; ++column) {
-        const float along = intervals == 0 ? 0 : float(column) / float(intervals);
-        float weight[3];
-        weight[rows.apex] = up;
-        weight[(rows.apex + 1) % 3] = (1 - up) * (1 - along);
-        weight[(rows.apex + 2) % 3] = (1 - up) * along;
-        points.push_back({i, weight[1], weight[2]});
+        points.push_back({i, grid.SampleAt(i, row, column)});
       }
     }
     row_begin_.push_back(std::uint32_t(points.size()));
@@ -96,41 +104,32 @@ std::vector<Shading::LightPoint> Shading::LayRows(const SurfaceGrid& grid) {
   return points;
 }
 
-void Shading::StoreLight(const Scene& scene, const Irradiance& irradiance,
+void Shading::StoreLight(const Scene& scene, const StoredLight& light,
                          const std::vector<LightPoint>& points) {
   // One more than there are: values are read in pairs.
   front_.resize(points.size() + 1);
   back_.resize(points.size() + 1);
-  constexpr std::size_t kBlock = 4096;
-  ParallelFor(int((points.size() + kBlock - 1) / kBlock), [&](int block) {
-    const std::size_t begin = std::size_t(block) * kBlock;
-    for (std::size_t k = begin; k < std::min(points.size(), begin + kBlock); ++k) {
-      const LightPoint& p = points[k];
-      const Material& material = scene.materials[scene.mesh.triangles[p.triangle].material];
-      const auto radiance = [&](bool front) {
-        const Vec3f exitance = material.diffuse * irradiance.AtSamples(p.triangle, p.u, p.v, front);
-        return Float4From(material.emission + std::numbers::inv_pi_v<float> * exitance);
-      };
-      front_[k] = radiance(true);
-      if (material.two_sided) back_[k] = radiance(false);
-    }
+  ForBlocks(points.size(), [&](std::size_t k) {
+    const LightPoint& p = points[k];
+    const Material& material = scene.materials[scene.mesh.triangles[p.triangle].material];
+    front_[k] = RadianceOf(material, light.front[p.sample]);
+    if (material.two_sided) back_[k] = RadianceOf(material, light.back[p.sample]);
   });
 }
 
 void Shading::StoreFineLight(const Scene& scene, const FineLight& fine) {
-  patches_.reserve(fine.irradiance().size());
-  for (std::size_t i = 0; i < fine.patches().size(); ++i) {
+  patches_.resize(fine.irradiance().size());
+  ForBlocks(fine.patches().size(), [&](std::size_t i) {
     const FineLight::Patch& patch = fine.patches()[i];
     const Record& record = records_[patch.cell.triangle];
     const std::uint32_t row = row_begin_[record.first_row + patch.cell.row];
     (patch.front ? front_ : back_)[row + patch.cell.column][3] = float(i + 1);
     const Material& material = scene.materials[scene.mesh.triangles[patch.cell.triangle].material];
-    for (int k = 0; k < FineLight::kPlaces; ++k) {
-      const Vec3f& e = fine.irradiance()[i * FineLight::kPlaces + std::size_t(k)];
-      patches_.push_back(
-          Float4From(material.emission + std::numbers::inv_pi_v<float> * (material.diffuse * e)));
+    const std::size_t first = i * FineLight::kPlaces;
+    for (std::size_t k = first; k < first + FineLight::kPlaces; ++k) {
+      patches_[k] = RadianceOf(material, fine.irradiance()[k]);
     }
-  }
+  });
 }
 
 void Shading::FindLight(const Record& record, const SurfaceHit& hit, Place& place) const {

@@ -77,13 +77,12 @@ class Shading {
   };
 
   Record TriangleRecord(const Scene& scene, const Triangle& triangle) const;
-  // Makes the rows of all triangles, and tells where each of their values lies.
+  // Makes the rows of all triangles, and tells whose light each of their values is.
   struct LightPoint {
-    std::uint32_t triangle;
-    float u, v;
+    std::uint32_t triangle, sample;
   };
   std::vector<LightPoint> LayRows(const SurfaceGrid& grid);
-  void StoreLight(const Scene& scene, const Irradiance& irradiance,
+  void StoreLight(const Scene& scene, const StoredLight& light,
                   const std::vector<LightPoint>& points);
   void StoreFineLight(const Scene& scene, const FineLight& fine);
   void FindTexture(const Record& record, const SurfaceHit& hit, Place& place) const;

@@ -48,6 +48,13 @@ SurfaceGrid::TriangleRows SurfaceGrid::CellRowsOf(std::uint32_t triangle) const 
   return rows.count > 0 ? rows : TriangleRows{1, 0, kCorners};
 }
 
+std::uint32_t SurfaceGrid::SampleAt(std::uint32_t triangle, int row, int column) const {
+  const TriangleSamples& t = triangles_[triangle];
+  if (t.grid == kNoGrid) return t.corner[row == 0 ? 1 + column : 0];
+  return row_samples_[row_begin_[grids_[t.grid].first_row + std::uint32_t(row)] +
+                      std::uint32_t(column)];
+}
+
 SurfaceGrid::CellPlace SurfaceGrid::CellAt(std::uint32_t triangle, float u, float v) const {
   const TriangleRows rows = CellRowsOf(triangle);
   const float weight[3] = {1 - u - v, u, v};

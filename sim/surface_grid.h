@@ -56,6 +56,9 @@ class SurfaceGrid {
   // The same with a row from corner 1 to corner 2 for a triangle with samples at its corners alone.
   TriangleRows CellRowsOf(std::uint32_t triangle) const;
 
+  // The sample at a row's column of those.
+  std::uint32_t SampleAt(std::uint32_t triangle, int row, int column) const;
+
   // What lies between two rows of a triangle and two neighbours of the lower one: from the share
   // column/intervals of the way along both rows to (column + 1)/intervals, intervals being those of
   // the lower row. Cells tile the triangle.
