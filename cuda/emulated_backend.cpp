@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "silt/cuda/emulated_backend.h"
 
+#include <utility>
+
 #include "silt/cuda/block_backend.h"
 
 namespace silt::cuda {
 
-std::unique_ptr<const tracker::Backend> MakeEmulatedBackend(ThreadOrder order) {
-  return std::make_unique<BlockBackend<HostMachine>>("cuda-emulated", HostMachine(order));
+std::unique_ptr<const tracker::Backend> MakeEmulatedBackend(ThreadOrder order,
+                                                            std::shared_ptr<MachineUse> use) {
+  return std::make_unique<BlockBackend<HostMachine>>("cuda-emulated",
+                                                     HostMachine(order, std::move(use)));
 }
 
 }  // namespace silt::cuda

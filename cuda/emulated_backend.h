@@ -10,8 +10,8 @@
 namespace silt::cuda {
 
 // The GPU's code run by the CPU, block by block and thread by thread: slow, and the way to try it
-// where there is no GPU.
+// where there is no GPU. It counts in `use`, if that is given.
 std::unique_ptr<const tracker::Backend> MakeEmulatedBackend(
-    ThreadOrder order = ThreadOrder::kForward);
+    ThreadOrder order = ThreadOrder::kForward, std::shared_ptr<MachineUse> use = nullptr);
 
 }  // namespace silt::cuda

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "silt/cuda/block.h"
@@ -14,12 +15,20 @@ namespace silt::cuda {
 // In what order the threads of a block come. Code that is right gives the same bits in both.
 enum class ThreadOrder { kForward, kBackward };
 
+// What a machine was asked to do.
+struct MachineUse {
+  int uploads = 0, downloads = 0;  // a download is waited for
+  std::size_t uploaded_bytes = 0, downloaded_bytes = 0;
+};
+
 // Runs kernels on the CPU, one block after the other, each phase for all threads of a block: what a
 // GPU may do, barriers and order of summation included. Its interface is what BlockBackend asks of
 // a machine; see GpuMachine for the other.
 class HostMachine {
  public:
-  explicit HostMachine(ThreadOrder order) : order_(order) {}
+  // Counts in `use`, if it is given, and is then for one thread alone.
+  explicit HostMachine(ThreadOrder order, std::shared_ptr<MachineUse> use = nullptr)
+      : order_(order), use_(std::move(use)) {}
 
   template <typename T>
   class Array {
@@ -36,10 +45,17 @@ class HostMachine {
   template <typename T>
   void Upload(const T* values, Array<T>& to) const {
     for (std::size_t i = 0; i < to.size(); ++i) to.data()[i] = values[i];
+    if (!use_) return;
+    ++use_->uploads;
+    use_->uploaded_bytes += to.size() * sizeof(T);
   }
 
   template <typename T>
   std::vector<T> Download(const Array<T>& from) const {
+    if (use_) {
+      ++use_->downloads;
+      use_->downloaded_bytes += from.size() * sizeof(T);
+    }
     return std::vector<T>(from.data(), from.data() + from.size());
   }
 
@@ -111,6 +127,7 @@ class HostMachine {
   }
 
   ThreadOrder order_;
+  std::shared_ptr<MachineUse> use_;
 };
 
 }  // namespace silt::cuda

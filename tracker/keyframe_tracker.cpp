@@ -325,23 +325,32 @@ void KeyframeTracker::Polish(const Frame& frame, TrackedFrame* result) {
   AlignmentOptions fine = options_.alignment;
   fine.max_iterations = {options_.keyframes.polish_iterations};
   fine.min_update_norm /= 10;
-  const Frame& keyframe = keyframes_[result->keyframe_id].frame;
-  const Image<float> none;
-  std::unique_ptr<ReferencePyramid> reference;
-  std::unique_ptr<CurrentPyramid> current;
+  OwnedPair pair;
   {
     const Stopwatch watch(&result->times.pyramid_ms);
-    reference =
-        backend_->MakeReferenceOfColour(keyframe.rgb, keyframe.depth_m, camera_, fine.Pyramids());
-    current = backend_->MakeCurrentOfColour(
-        frame.rgb, fine.use_current_depth ? frame.depth_m : none, fine.Pyramids());
+    pair = FullResolution(result->keyframe_id, frame, fine);
   }
   AlignmentResult polished =
-      Align(*backend_, {*reference, *current}, result->alignment.current_from_reference, fine);
+      Align(*backend_, pair.images(), result->alignment.current_from_reference, fine);
   AddTimes(polished.times, &result->times);
   if (!polished.ok) return;
   result->alignment = std::move(polished);
   world_from_camera_ = PoseOf(result);
+}
+
+// Of what the backend holds of both images, if it holds all of it; else they are made anew.
+OwnedPair KeyframeTracker::FullResolution(int keyframe, const Frame& frame,
+                                          const AlignmentOptions& options) const {
+  const PyramidOptions pyramids = options.Pyramids();
+  if (current_ && backend_->halves_what_it_holds()) {
+    return backend_->MakeHalved({*references_[keyframe].pyramid, *current_}, 0,
+                                options.use_current_depth, pyramids);
+  }
+  const Frame& reference = keyframes_[keyframe].frame;
+  const Image<float> none;
+  return {backend_->MakeReferenceOfColour(reference.rgb, reference.depth_m, camera_, pyramids),
+          backend_->MakeCurrentOfColour(frame.rgb, options.use_current_depth ? frame.depth_m : none,
+                                        pyramids)};
 }
 
 // Of all the keyframes that the next frame could be aligned with, the camera sees too little.

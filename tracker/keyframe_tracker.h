@@ -118,6 +118,7 @@ class KeyframeTracker {
   bool HasGoneStale(const TrackedFrame& result) const;
   void RetireStale(const TrackedFrame& result);
   void Polish(const Frame& frame, TrackedFrame* result);
+  OwnedPair FullResolution(int keyframe, const Frame& frame, const AlignmentOptions& options) const;
   void MakeKeyframe(const Given& given, TrackedFrame* result);
 
   PinholeCamera camera_;

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "moving_wall.h"
+#include "silt/tracker/keyframe_tracker.h"
+
+// What a tracker sends to a machine, and how often it waits for an answer.
+namespace silt::cuda {
+namespace {
+
+struct FrameTraffic {
+  MachineUse use;
+  bool new_keyframe = false;
+};
+
+std::vector<FrameTraffic> TrackWall(const tracker::TrackerOptions& options, int frames) {
+  const auto use = std::make_shared<MachineUse>();
+  tracker::KeyframeTracker tracker(kCamera, options,
+                                   MakeEmulatedBackend(ThreadOrder::kForward, use), nullptr);
+  std::vector<FrameTraffic> all;
+  for (int i = 0; i < frames; ++i) {
+    *use = {};
+    const tracker::TrackedFrame tracked = tracker.Track(WallFrame(i));
+    EXPECT_EQ(tracked.status, tracker::TrackingStatus::kTracked) << i << tracked.message;
+    all.push_back({*use, tracked.new_keyframe});
+  }
+  return all;
+}
+
+// Three bytes of colour and a depth for each pixel.
+constexpr std::size_t kFrameBytes = std::size_t(kCamera.width * kCamera.height) * (3 + 4);
+
+// With what says how to align it.
+TEST(TrackerTraffic, AFrameGoesUpOnce) {
+  const std::vector<FrameTraffic> frames = TrackWall(tracker::FastPreset(), 8);
+  int keyframes = 0;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const auto& [use, new_keyframe] = frames[i];
+    EXPECT_GE(use.uploaded_bytes, kFrameBytes);
+    EXPECT_LT(use.uploaded_bytes, 1.2 * kFrameBytes) << i << (new_keyframe ? " keyframe" : "");
+    keyframes += new_keyframe;
+  }
+  EXPECT_GT(keyframes, 0);
+}
+
+}  // namespace
+}  // namespace silt::cuda
