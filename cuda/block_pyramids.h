@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "silt/core/error.h"
 #include "silt/cuda/pyramid_bodies.h"
 #include "silt/tracker/backend.h"
 
@@ -95,13 +96,24 @@ class BlockImaging {
     return inverse;
   }
 
-  int Measured(const Picture& depth_m) const {
-    const Grid grid = GridFor(depth_m.size(), 16);
-    typename Machine::template Array<int> counts(machine_, std::size_t(grid.blocks));
-    machine_.Run(grid, CountMeasured{depth_m.data(), depth_m.size(), counts.data()});
-    int sum = 0;
-    for (const int count : machine_.Download(counts)) sum += count;
-    return sum;
+  // How many depths of each level are measured: one answer is waited for.
+  std::vector<int> Measured(const Pyramid& depths_m) const {
+    SILT_CHECK(!depths_m.empty() && depths_m.size() <= std::size_t(tracker::kMaxPyramidLevels));
+    DepthLevels levels{};
+    for (const Picture& depth_m : depths_m) {
+      const int level = levels.count++;
+      levels.depth_m[level] = depth_m.data();
+      levels.size[level] = depth_m.size();
+      levels.first_block[level + 1] =
+          levels.first_block[level] + GridFor(depth_m.size(), 16).blocks;
+    }
+    const int blocks = levels.first_block[levels.count];
+    typename Machine::template Array<int> counts(machine_, std::size_t(blocks));
+    machine_.Run(Grid{blocks, kThreads}, CountMeasured{levels, counts.data()});
+    std::vector<int> measured(depths_m.size(), 0);
+    const std::vector<int> of_blocks = machine_.Download(counts);
+    for (int i = 0; i < blocks; ++i) measured[std::size_t(levels.LevelOf(i))] += of_blocks[i];
+    return measured;
   }
 
   template <typename Function>
@@ -161,8 +173,8 @@ class BlockReference : public tracker::ReferencePyramid {
       : intensity(std::move(intensities)),
         whole_depth_m(std::move(whole_depths_m)),
         depth_m(std::move(depths_m)) {
-    for (const auto& depth : depth_m) {
-      levels_.push_back({camera, imaging.Measured(depth)});
+    for (const int measured : imaging.Measured(depth_m)) {
+      levels_.push_back({camera, measured});
       camera = camera.Halved();
     }
   }

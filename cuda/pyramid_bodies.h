@@ -8,6 +8,7 @@
 #include "silt/core/pyramid_block.h"
 #include "silt/cuda/block.h"
 #include "silt/tracker/kernel/depth_edge.h"
+#include "silt/tracker/levenberg_marquardt.h"
 
 // Bodies that make pyramids (core/pyramid.h, tracker/depth_edges.h), for ForEach over the pixels
 // that they write. Images lie row by row without padding.
@@ -113,26 +114,49 @@ struct InvertDepth {
   }
 };
 
-// The number of measured depths in each block's share.
+// The depths of a pyramid, whose levels follow each other in the blocks that count them.
+struct DepthLevels {
+  int count = 0;
+  const float* depth_m[tracker::kMaxPyramidLevels];
+  int size[tracker::kMaxPyramidLevels];
+  int first_block[tracker::kMaxPyramidLevels + 1];  // of the level, and after the last one
+
+  SILT_HOST_DEVICE int LevelOf(int block) const {
+    int level = 0;
+    while (block >= first_block[level + 1]) ++level;
+    return level;
+  }
+};
+
+// The number of measured depths in each block's share of its level.
 struct CountMeasured {
   static constexpr int kPhases = 2;
   struct Shared {
     int count[kThreads];
   };
-  const float* depth_m;
-  int n;
+  DepthLevels levels;
   int* block_counts;
 
   SILT_HOST_DEVICE void Run(int phase, const Place& place, Shared& shared) const {
     if (phase == 0) {
-      int count = 0;
-      for (int i = place.index(); i < n; i += place.count()) count += IsMeasured(depth_m[i]);
-      shared.count[place.thread] = count;
+      shared.count[place.thread] = CountOf(place);
     } else if (place.thread == 0) {
       int count = 0;
       for (int i = 0; i < place.grid.threads; ++i) count += shared.count[i];
       block_counts[place.block] = count;
     }
+  }
+
+ private:
+  SILT_HOST_DEVICE int CountOf(const Place& place) const {
+    const int level = levels.LevelOf(place.block), first = levels.first_block[level];
+    const int step = (levels.first_block[level + 1] - first) * place.grid.threads;
+    int count = 0;
+    for (int i = (place.block - first) * place.grid.threads + place.thread; i < levels.size[level];
+         i += step) {
+      count += IsMeasured(levels.depth_m[level][i]);
+    }
+    return count;
   }
 };
 

@@ -47,5 +47,17 @@ TEST(TrackerTraffic, AFrameGoesUpOnce) {
   EXPECT_GT(keyframes, 0);
 }
 
+// The outcome of its alignment; of a keyframe, the counts of its levels and the polished outcome
+// with the counts at full resolution.
+TEST(TrackerTraffic, AFrameIsWaitedForOnce) {
+  const std::vector<FrameTraffic> frames = TrackWall(tracker::FastPreset(), 8);
+  EXPECT_EQ(frames[0].use.downloads, 1);
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].use.downloads, frames[i].new_keyframe ? 4 : 1) << i;
+    EXPECT_EQ(frames[i].use.uploads, frames[i].new_keyframe ? 8 : 5) << i;
+    EXPECT_LT(frames[i].use.downloaded_bytes, frames[i].new_keyframe ? 8000u : 3500u) << i;
+  }
+}
+
 }  // namespace
 }  // namespace silt::cuda
