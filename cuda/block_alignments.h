@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "silt/core/error.h"
 #include "silt/cuda/align_body.h"
 #include "silt/cuda/block_pyramids.h"
 #include "silt/tracker/backend.h"
@@ -30,12 +31,7 @@ class BlockAlignments {
       if (i == 0 || !SameTask(jobs[i - 1], jobs[i])) tasks.push_back(TaskOf(jobs[i]));
       starts.push_back({int(tasks.size()) - 1, jobs[i].initial});
     }
-    std::vector<tracker::FinishedAlignment> finished;
-    double batch_ms = 0;
-    for (const AlignBody::Outcome& outcome : Run(tasks, starts, &batch_ms)) {
-      finished.push_back({outcome.optimizer, outcome.judged, batch_ms});
-    }
-    return finished;
+    return Run(tasks, starts);
   }
 
  private:
@@ -111,42 +107,86 @@ class BlockAlignments {
     return size;
   }
 
-  std::vector<AlignBody::Outcome> Run(const std::vector<AlignTask>& tasks,
-                                      const std::vector<AlignStart>& starts,
-                                      double* batch_ms) const {
-    const ScratchSize size = SizeOf(tasks);
-    int references = 1;
-    for (const AlignTask& task : tasks) references = std::max(references, task.references);
-    const std::size_t of_group = references * ((size.visible + 2 * size.cells) * sizeof(float) +
-                                               size.units * kSums * sizeof(double)) +
-                                 size.tiles * kSums * sizeof(double);
-    const int resident = machine_.template ResidentBlocks<AlignBody>();
+  // How a batch is dealt out.
+  struct Shares {
+    ScratchSize size;
+    int references = 1;  // of the task that has most
+    int resident = 1;    // blocks
+    int groups = 1;      // at most
+
+    // Where so many groups work. No image has more work for a group than its units.
+    int BlocksOf(int of_groups) const {
+      return std::clamp(int(references * size.units), 1, resident / of_groups);
+    }
+  };
+
+  Shares SharesOf(const std::vector<AlignTask>& tasks, std::size_t starts) const {
+    Shares shares{SizeOf(tasks)};
+    for (const AlignTask& task : tasks) {
+      shares.references = std::max(shares.references, task.references);
+    }
+    const ScratchSize& size = shares.size;
+    const std::size_t of_group =
+        shares.references * ((size.visible + 2 * size.cells) * sizeof(float) +
+                             size.units * kSums * sizeof(double)) +
+        size.tiles * kSums * sizeof(double);
+    shares.resident = machine_.template ResidentBlocks<AlignBody>();
+    if (shares.resident < 1) {
+      throw Error(
+          "CUDA: the device cannot run a single block of an alignment (its registers or shared "
+          "memory do not suffice); use --backend cpu");
+    }
     // Images too small for any residual need no memory at all.
     const std::size_t fit = kScratchBytes / std::max<std::size_t>(of_group, 1);
-    const int groups =
-        int(std::clamp<std::size_t>(fit, 1, std::min(starts.size(), std::size_t(resident))));
-    // No image has more work for a group than its units.
-    const int blocks = std::clamp(int(references * size.units), 1, resident / groups);
+    shares.groups =
+        int(std::clamp<std::size_t>(fit, 1, std::min(starts, std::size_t(shares.resident))));
+    return shares;
+  }
 
-    const std::size_t n = std::size_t(groups);
+  // Several launches, one after the other, with what each of them needs: memory does not grow with
+  // the number of starts.
+  std::vector<tracker::FinishedAlignment> Run(const std::vector<AlignTask>& tasks,
+                                              const std::vector<AlignStart>& starts) const {
+    const Shares shares = SharesOf(tasks, starts.size());
     Array<AlignTask> task_array(machine_, tasks.size());
-    Array<AlignStart> start_array(machine_, starts.size());
-    Array<Round> rounds(machine_, n);
-    Array<AlignBody::Outcome> outcomes(machine_, starts.size());
-    Array<float> visible(machine_, n * references * size.visible);
-    Array<float> nearest(machine_, n * references * size.cells);
-    Array<float> spread(machine_, n * references * size.cells);
-    Array<double> unit_sums(machine_, n * references * size.units * kSums);
-    Array<double> tile_sums(machine_, n * size.tiles * kSums);
     machine_.Upload(tasks.data(), task_array);
-    machine_.Upload(starts.data(), start_array);
+    const std::size_t of_launch = std::size_t(shares.groups) * Machine::kStartsOfGroup;
+    std::vector<tracker::FinishedAlignment> finished;
+    finished.reserve(starts.size());
+    double batch_ms = 0;
+    for (std::size_t first = 0; first < starts.size(); first += of_launch) {
+      const int count = int(std::min(of_launch, starts.size() - first));
+      for (const AlignBody::Outcome& outcome :
+           Launch(shares, task_array, &starts[first], count, &batch_ms)) {
+        finished.push_back({outcome.optimizer, outcome.judged, 0});
+      }
+    }
+    for (tracker::FinishedAlignment& each : finished) each.batch_ms = batch_ms;
+    return finished;
+  }
+
+  std::vector<AlignBody::Outcome> Launch(const Shares& shares, const Array<AlignTask>& tasks,
+                                         const AlignStart* starts, int count,
+                                         double* batch_ms) const {
+    const ScratchSize& size = shares.size;
+    const int groups = std::min(shares.groups, count);
+    const std::size_t n = std::size_t(groups), of_all = n * std::size_t(shares.references);
+    Array<AlignStart> start_array(machine_, std::size_t(count));
+    Array<Round> rounds(machine_, n);
+    Array<AlignBody::Outcome> outcomes(machine_, std::size_t(count));
+    Array<float> visible(machine_, of_all * size.visible);
+    Array<float> nearest(machine_, of_all * size.cells);
+    Array<float> spread(machine_, of_all * size.cells);
+    Array<double> unit_sums(machine_, of_all * size.units * kSums);
+    Array<double> tile_sums(machine_, n * size.tiles * kSums);
+    machine_.Upload(starts, start_array);
     machine_.Upload(std::vector<Round>(n).data(), rounds);
     const Scratch scratch{visible.data(), nearest.data(), spread.data(), unit_sums.data(),
                           tile_sums.data()};
-    *batch_ms =
-        machine_.RunGroups(groups, blocks,
-                           AlignBody{task_array.data(), start_array.data(), int(starts.size()),
-                                     rounds.data(), scratch, size, references, outcomes.data()});
+    *batch_ms +=
+        machine_.RunGroups(groups, shares.BlocksOf(groups),
+                           AlignBody{tasks.data(), start_array.data(), count, rounds.data(),
+                                     scratch, size, shares.references, outcomes.data()});
     return machine_.Download(outcomes);
   }
 

@@ -87,6 +87,10 @@ class GpuMachine {
     return processors * of_processor;
   }
 
+  // How many alignments a group does in one launch at most: seconds of one kernel would freeze a
+  // display that the GPU drives, or have its driver end the process.
+  static constexpr int kStartsOfGroup = 16;
+
   // Waits for the end, and tells the time by the device's clock, in milliseconds.
   template <typename Body>
   double RunGroups(int groups, int blocks, const Body& body) const {

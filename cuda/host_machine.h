@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -19,6 +20,8 @@ enum class ThreadOrder { kForward, kBackward };
 struct MachineUse {
   int uploads = 0, downloads = 0;  // a download is waited for
   std::size_t uploaded_bytes = 0, downloaded_bytes = 0;
+  int group_launches = 0;
+  std::size_t held_bytes = 0, most_held_bytes = 0;  // of arrays
 };
 
 // Runs kernels on the CPU, one block after the other, each phase for all threads of a block: what a
@@ -33,13 +36,23 @@ class HostMachine {
   template <typename T>
   class Array {
    public:
-    Array(const HostMachine&, std::size_t size) : values_(size) {}
+    Array(const HostMachine& machine, std::size_t size) : values_(size), use_(machine.use_) {
+      if (!use_) return;
+      use_->held_bytes += size * sizeof(T);
+      use_->most_held_bytes = std::max(use_->most_held_bytes, use_->held_bytes);
+    }
+    ~Array() {
+      if (use_) use_->held_bytes -= size() * sizeof(T);
+    }
+    Array(const Array&) = delete;
+    Array& operator=(const Array&) = delete;
     T* data() { return values_.data(); }
     const T* data() const { return values_.data(); }
     std::size_t size() const { return values_.size(); }
 
    private:
     std::vector<T> values_;
+    std::shared_ptr<MachineUse> use_;
   };
 
   template <typename T>
@@ -78,10 +91,14 @@ class HostMachine {
     return order_ == ThreadOrder::kForward ? 5 : 3;
   }
 
+  // Few, so that small batches take several launches.
+  static constexpr int kStartsOfGroup = 2;
+
   // Groups one after the other; in each round every block does all of its work before the first one
   // decides, and that before any goes on.
   template <typename Body>
   double RunGroups(int groups, int blocks, const Body& body) const {
+    if (use_) ++use_->group_launches;
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < groups; ++i) {
       const int group = Ordered(i, groups);

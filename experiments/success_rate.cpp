@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "silt/core/random.h"
+#include "silt/experiments/interrupt.h"
 #include "silt/experiments/statistics.h"
 
 namespace silt::experiments {
@@ -26,6 +27,16 @@ int Solves(const tracker::AlignmentResult& result) {
   int solves = 0;
   for (const tracker::AlignmentLevel& level : result.levels) solves += level.iterations;
   return solves;
+}
+
+// A pair's starts from `first` on, so many as are aligned at once.
+std::vector<SE3d> PosesOf(const SE3d& truth, const RandomStarts& starts, int pair, int first) {
+  std::vector<SE3d> poses;
+  for (int i = first; i < std::min(first + kStartsAtOnce, starts.count); ++i) {
+    const int index = pair * starts.count + i;
+    poses.push_back(RandomStart(truth, starts.OffsetOf(index), starts.seed, index));
+  }
+  return poses;
 }
 
 }  // namespace
@@ -67,17 +78,18 @@ SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStar
                                const AlignAllFrom& align) {
   SuccessRate success{starts.offset, 0, 0, 0};
   std::vector<double> solves;
-  for (std::size_t p = 0; p < truths.size(); ++p) {
-    std::vector<SE3d> poses;
-    for (int i = 0; i < starts.count; ++i) {
-      const int index = int(p) * starts.count + i;
-      poses.push_back(RandomStart(truths[p], starts.OffsetOf(index), starts.seed, index));
-    }
-    for (const tracker::AlignmentResult& result : align(p, poses)) {
-      const PoseDifference error = Difference(truths[p], result.current_from_reference);
+  const auto add = [&](std::size_t pair, const std::vector<SE3d>& poses) {
+    ThrowIfInterrupted();
+    for (const tracker::AlignmentResult& result : align(pair, poses)) {
+      const PoseDifference error = Difference(truths[pair], result.current_from_reference);
       ++success.starts;
       success.recovered += result.ok && error.Within(kRecovered);
       solves.push_back(Solves(result));
+    }
+  };
+  for (std::size_t p = 0; p < truths.size(); ++p) {
+    for (int first = 0; first < starts.count; first += kStartsAtOnce) {
+      add(p, PosesOf(truths[p], starts, int(p), first));
     }
   }
   if (!solves.empty()) success.median_solves = Median(solves);

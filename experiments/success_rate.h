@@ -51,6 +51,10 @@ using AlignFrom = std::function<tracker::AlignmentResult(std::size_t pair, const
 using AlignAllFrom = std::function<std::vector<tracker::AlignmentResult>(
     std::size_t pair, const std::vector<SE3d>& starts)>;
 
+// So many starts are aligned together at most, before an interruption is looked for; a large GPU
+// takes several rounds for as many.
+inline constexpr int kStartsAtOnce = 2048;
+
 // The share of random starts from which the alignment recovers the true motion, over all pairs.
 SuccessRate MeasureSuccessRate(const std::vector<SE3d>& truths, const RandomStarts& starts,
                                const AlignFrom& align);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "silt/core/error.h"
+#include "silt/cuda/block_backend.h"
 #include "silt/tracker/trust.h"
 #include "wavy_wall.h"
 
@@ -175,6 +177,44 @@ TEST_P(BlockAlignmentsOn, ABatchFindsWhatEachOfItFinds) {
     EXPECT_TRUE(batch[3].ok && batch[10].ok);
     EXPECT_FALSE(batch[7].ok || batch[12].ok);
   }
+}
+
+// A launch after the other: what a batch holds at once, however many starts it has.
+TEST(BlockAlignments, MemoryDoesNotGrowWithTheStarts) {
+  AlignmentOptions options = tracker::FastPreset().alignment;
+  options.max_iterations = {0, 0, 0, 1};
+  const auto held_at_most = [&](int count, int* launches) {
+    const auto use = std::make_shared<MachineUse>();
+    const auto backend = MakeEmulatedBackend(ThreadOrder::kForward, use);
+    const Pair pair = MakePair(*backend, options.Pyramids());
+    const std::size_t before = use->held_bytes;
+    const std::vector<tracker::AlignmentStart> starts(
+        std::size_t(count), tracker::AlignmentStart{*pair.reference, *pair.current, {}});
+    EXPECT_EQ(tracker::AlignBatch(*backend, starts, options).size(), starts.size());
+    EXPECT_EQ(use->held_bytes, before);
+    *launches = use->group_launches;
+    return use->most_held_bytes;
+  };
+  int few = 0, many = 0;
+  EXPECT_EQ(held_at_most(10, &few), held_at_most(101, &many));
+  EXPECT_EQ(few, 1);
+  EXPECT_EQ(many, 11);
+}
+
+// A machine on which no block of an alignment can run.
+struct FullMachine : HostMachine {
+  FullMachine() : HostMachine(ThreadOrder::kForward) {}
+  template <typename Body>
+  int ResidentBlocks() const {
+    return 0;
+  }
+};
+
+TEST(BlockAlignments, ADeviceWithoutRoomForABlockIsAnError) {
+  const BlockBackend<FullMachine> backend("full", FullMachine{});
+  const AlignmentOptions options = tracker::FastPreset().alignment;
+  const Pair pair = MakePair(backend, options.Pyramids());
+  EXPECT_THROW(tracker::Align(backend, pair.images(), {}, options), Error);
 }
 
 TEST_P(BlockAlignmentsOn, ABatchOfNothingIsNothing) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace silt::experiments {
@@ -42,6 +43,24 @@ TEST(RandomStart, HasNoPreferredDirection) {
   EXPECT_LT(std::abs(sum.x), bound);
   EXPECT_LT(std::abs(sum.y), bound);
   EXPECT_LT(std::abs(sum.z), bound);
+}
+
+// All of them, and never too many at once to be interrupted between.
+TEST(MeasureSuccessRate, TakesManyStartsInShares) {
+  std::size_t most = 0, all = 0;
+  const AlignAllFrom align = [&](std::size_t, const std::vector<SE3d>& poses) {
+    most = std::max(most, poses.size());
+    std::vector<tracker::AlignmentResult> results(poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const SE3d start = RandomStart(kTruth, {0.1, 5}, 3, int(all++));
+      EXPECT_EQ(poses[i].translation.x, start.translation.x);
+    }
+    return results;
+  };
+  const SuccessRate rate = MeasureSuccessRate({kTruth}, {{0.1, 5}, 5000, 3}, align);
+  EXPECT_EQ(rate.starts, 5000);
+  EXPECT_EQ(all, 5000u);
+  EXPECT_EQ(most, std::size_t(kStartsAtOnce));
 }
 
 // Reference values: Wilson's interval for 8 of 10 and for none of 20, as statsmodels has them.
