@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the silt authors
 // SPDX-License-Identifier: MIT
-#include "silt/cuda/block_backend.h"
+#include "silt/cuda/block/block_backend.h"
 #include "silt/cuda/cuda_backend.h"
 #include "silt/cuda/devices.h"
 #include "silt/cuda/gpu_machine.cuh"

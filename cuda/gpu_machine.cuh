@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "silt/cuda/block.h"
+#include "silt/cuda/block/block.h"
 #include "silt/cuda/check.cuh"
 #include "silt/cuda/event_timer.cuh"
 #include "silt/cuda/group_kernel.cuh"

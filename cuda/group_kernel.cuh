@@ -4,7 +4,7 @@
 
 #include <cuda_runtime.h>
 
-#include "silt/cuda/block.h"
+#include "silt/cuda/block/block.h"
 
 namespace silt::cuda {
 

@@ -3,24 +3,24 @@
 #include "silt/dense/backends.h"
 
 #include "silt/core/error.h"
+#include "silt/cuda/block/emulated_backend.h"
 #include "silt/tracker/cpu_backend.h"
 #ifdef SILT_HAVE_CUDA
 #include "silt/cuda/ceilings.h"
 #include "silt/cuda/cuda_backend.h"
 #include "silt/cuda/devices.h"
-#include "silt/cuda/emulated_backend.h"
 #endif
 
 namespace silt::dense {
 
 std::shared_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
   if (name == "cpu") return tracker::MakeCpuBackend();
+  if (name == "cuda-emulated") return cuda::MakeEmulatedBackend();
 #ifdef SILT_HAVE_CUDA
   if (name == "cuda") return cuda::MakeCudaBackend();
-  if (name == "cuda-emulated") return cuda::MakeEmulatedBackend();
 #else
-  if (name == "cuda" || name == "cuda-emulated") {
-    throw Error("--backend " + name + ": this build was made without nvcc; use --backend cpu");
+  if (name == "cuda") {
+    throw Error("--backend cuda: this build was made without nvcc; use --backend cpu");
   }
 #endif
   throw Error("no backend is named '" + name + "'; there are: cpu, cuda, cuda-emulated");

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "silt/core/error.h"
+#include "silt/cuda/block/emulated_backend.h"
 #include "silt/experiments/tracker_options.h"
 #include "silt/tracker/cpu_backend.h"
 #ifdef SILT_HAVE_CUDA
 #include "silt/cuda/cuda_backend.h"
 #include "silt/cuda/devices.h"
-#include "silt/cuda/emulated_backend.h"
 #endif
 
 namespace silt::experiments {
@@ -44,13 +44,14 @@ std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
   if (name == "cpu-sse2" || name == "cpu-avx2" || name == "cpu-avx512") {
     return tracker::MakeCpuBackend(tracker::SimdLevelFromName(name.substr(4)));
   }
+  if (name == "cuda-emulated") return cuda::MakeEmulatedBackend();
 #ifdef SILT_HAVE_CUDA
   if (name == "cuda") return cuda::MakeCudaBackend();
-  if (name == "cuda-emulated") return cuda::MakeEmulatedBackend();
 #else
-  if (name == "cuda" || name == "cuda-emulated") {
-    throw Error("--backend " + name +
-                ": this build was made without nvcc and holds no CUDA backend; use --backend cpu");
+  if (name == "cuda") {
+    throw Error(
+        "--backend cuda: this build was made without nvcc and holds no CUDA backend; use --backend "
+        "cpu");
   }
 #endif
   if (name == "auto") {

@@ -34,9 +34,7 @@ void ExpectReport(const std::string& backend) {
 
 TEST(Report, OfTheCpuAgreesWithItself) { ExpectReport("cpu"); }
 
-#ifdef SILT_HAVE_CUDA
 TEST(Report, OfTheGpusCodeAgreesWithTheCpu) { ExpectReport("cuda-emulated"); }
-#endif
 
 TEST(Report, NeedsTwoFramesAndAKnownBackend) {
   EXPECT_THROW(MakeReport(Waves(1), Small("cpu")), Error);

@@ -44,7 +44,6 @@ TEST(BackendCommands, AutoSaysWhatItTook) {
 
 TEST(BackendCommands, BatchesAreMeasuredOnEveryBackend) {
   for (const std::string backend : {"cpu", "cuda-emulated"}) {
-    if (backend != "cpu" && !HasCuda()) continue;
     const ProgramResult result = RunSilt(kBatch + "--json - --backend " + backend);
     ASSERT_EQ(result.exit_code, 0) << result.error;
     const Json json = Json::parse(result.out);
@@ -72,7 +71,6 @@ std::vector<Json> OfEveryBackend(const std::string& command) {
 }
 
 TEST(BackendCommands, ConvergenceIsMeasuredOnEveryBackend) {
-  if (!HasCuda()) GTEST_SKIP() << "built without nvcc";
   const std::vector<Json> all = OfEveryBackend(
       "experiment convergence --quick --starts 3 --recovery-starts 2 --recovery-pairs 1 "
       "--trials 0 --preset accurate");
@@ -97,7 +95,6 @@ TEST(BackendCommands, ConvergenceIsMeasuredOnEveryBackend) {
 }
 
 TEST(BackendCommands, TrackingIsMeasuredOnEveryBackend) {
-  if (!HasCuda()) GTEST_SKIP() << "built without nvcc";
   const std::vector<Json> all = OfEveryBackend(
       "bench track --gaps 1 --instants 1 --repeats 1 --threads 1 --preset accurate --preset fast");
   for (const char* preset : {"accurate", "fast"}) {
@@ -112,7 +109,6 @@ TEST(BackendCommands, TrackingIsMeasuredOnEveryBackend) {
 
 // Starts that are aligned of what the backend holds.
 TEST(BackendCommands, CoarseStartsLeadEveryBackendTheSameWay) {
-  if (!HasCuda()) GTEST_SKIP() << "built without nvcc";
   const TestFolder folder;
   std::vector<Trajectory> all;
   for (const std::string backend : {"cpu", "cuda-emulated"}) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "silt/cuda/pixel_pass.h"
+#include "silt/cuda/block/pixel_pass.h"
 
 // Bodies that compute one level's normal equations, or its cost, at one pose.
 namespace silt::cuda {

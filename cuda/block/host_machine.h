@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "silt/cuda/block.h"
+#include "silt/cuda/block/block.h"
 
 namespace silt::cuda {
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "silt/core/error.h"
-#include "silt/cuda/block_alignments.h"
-#include "silt/cuda/block_pyramids.h"
-#include "silt/cuda/linearize_body.h"
-#include "silt/cuda/visibility_bodies.h"
+#include "silt/cuda/block/block_alignments.h"
+#include "silt/cuda/block/block_pyramids.h"
+#include "silt/cuda/block/linearize_body.h"
+#include "silt/cuda/block/visibility_bodies.h"
 #include "silt/tracker/backend.h"
 #include "silt/tracker/pixel_sums.h"
 

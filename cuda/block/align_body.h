@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "silt/cuda/align_task.h"
-#include "silt/cuda/pyramid_bodies.h"
+#include "silt/cuda/block/align_task.h"
+#include "silt/cuda/block/pyramid_bodies.h"
 
 namespace silt::cuda {
 

@@ -8,10 +8,12 @@
 #include <memory>
 #include <string>
 
+#include "silt/cuda/block/emulated_backend.h"
+#include "silt/tracker/cpu_backend.h"
+#ifdef SILT_HAVE_CUDA
 #include "silt/cuda/cuda_backend.h"
 #include "silt/cuda/devices.h"
-#include "silt/cuda/emulated_backend.h"
-#include "silt/tracker/cpu_backend.h"
+#endif
 
 // What the tests of the GPU's backend look at, and the machines that they run on: a GPU where there
 // is one, and in every case the CPU, block by block, with the threads of a block in either order.
@@ -62,13 +64,21 @@ inline Pair MakePair(const tracker::Backend& backend, const tracker::PyramidOpti
 
 enum class Machine { kForward, kBackward, kGpu };
 
+// Null where this machine has no GPU, or this build no code for one.
+inline std::unique_ptr<const tracker::Backend> MakeBackendOn(Machine machine) {
+  if (machine == Machine::kForward) return MakeEmulatedBackend(ThreadOrder::kForward);
+  if (machine == Machine::kBackward) return MakeEmulatedBackend(ThreadOrder::kBackward);
+#ifdef SILT_HAVE_CUDA
+  if (!DeviceList().empty()) return MakeCudaBackend();
+#endif
+  return nullptr;
+}
+
 class BackendTest : public testing::TestWithParam<Machine> {
  protected:
   void SetUp() override {
-    if (GetParam() == Machine::kGpu && DeviceList().empty()) GTEST_SKIP() << "no CUDA device";
-    block_ = GetParam() == Machine::kGpu       ? MakeCudaBackend()
-             : GetParam() == Machine::kForward ? MakeEmulatedBackend(ThreadOrder::kForward)
-                                               : MakeEmulatedBackend(ThreadOrder::kBackward);
+    block_ = MakeBackendOn(GetParam());
+    if (!block_) GTEST_SKIP() << "no CUDA device, or built without nvcc";
   }
 
   std::unique_ptr<const tracker::Backend> block_;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "silt/core/error.h"
-#include "silt/cuda/align_body.h"
-#include "silt/cuda/block_pyramids.h"
+#include "silt/cuda/block/align_body.h"
+#include "silt/cuda/block/block_pyramids.h"
 #include "silt/tracker/backend.h"
 
 namespace silt::cuda {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "silt/cuda/host_machine.h"
+#include "silt/cuda/block/host_machine.h"
 #include "silt/tracker/backend.h"
 
 namespace silt::cuda {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the silt authors
 // SPDX-License-Identifier: MIT
-#include "silt/cuda/emulated_backend.h"
+#include "silt/cuda/block/emulated_backend.h"
 
 #include <utility>
 
-#include "silt/cuda/block_backend.h"
+#include "silt/cuda/block/block_backend.h"
 
 namespace silt::cuda {
 

@@ -6,7 +6,7 @@
 
 #include "silt/core/color.h"
 #include "silt/core/pyramid_block.h"
-#include "silt/cuda/block.h"
+#include "silt/cuda/block/block.h"
 #include "silt/tracker/kernel/depth_edge.h"
 #include "silt/tracker/levenberg_marquardt.h"
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the silt authors
 // SPDX-License-Identifier: MIT
-#include "silt/cuda/block_alignments.h"
+#include "silt/cuda/block/block_alignments.h"
 
 #include <gtest/gtest.h>
 
 #include "silt/core/error.h"
-#include "silt/cuda/block_backend.h"
+#include "silt/cuda/block/block_backend.h"
 #include "silt/tracker/trust.h"
 #include "wavy_wall.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "silt/cuda/tiling.h"
-#include "silt/cuda/visibility_bodies.h"
+#include "silt/cuda/block/tiling.h"
+#include "silt/cuda/block/visibility_bodies.h"
 #include "silt/tracker/kernel/image_sampler.h"
 #include "silt/tracker/kernel/residual.h"
 #include "silt/tracker/kernel/robust_norm.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "silt/cuda/block.h"
+#include "silt/cuda/block/block.h"
 #include "silt/tracker/sum_layout.h"
 
 namespace silt::cuda {

@@ -4,7 +4,7 @@
 
 #include "silt/core/camera.h"
 #include "silt/core/se3.h"
-#include "silt/cuda/pixel_pass.h"
+#include "silt/cuda/block/pixel_pass.h"
 #include "silt/tracker/backend.h"
 #include "silt/tracker/levenberg_marquardt.h"
 

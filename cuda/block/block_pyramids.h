@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "silt/core/error.h"
-#include "silt/cuda/pyramid_bodies.h"
+#include "silt/cuda/block/pyramid_bodies.h"
 #include "silt/tracker/backend.h"
 
 namespace silt::cuda {
