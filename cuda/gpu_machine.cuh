@@ -94,11 +94,11 @@ class GpuMachine {
   // Waits for the end, and tells the time by the device's clock, in milliseconds.
   template <typename Body>
   double RunGroups(int groups, int blocks, const Body& body) const {
-    Array<GroupBarrier> barriers(*this, std::size_t(groups));
-    Check(cudaMemsetAsync(barriers.data(), 0, barriers.size() * sizeof(GroupBarrier),
+    Array<GroupBarrier<unsigned>> barriers(*this, std::size_t(groups));
+    Check(cudaMemsetAsync(barriers.data(), 0, barriers.size() * sizeof(GroupBarrier<unsigned>),
                           stream_->handle()),
           "clearing barriers");
-    GroupBarrier* barrier = barriers.data();
+    GroupBarrier<unsigned>* barrier = barriers.data();
     void* arguments[] = {const_cast<Body*>(&body), &blocks, &barrier};
     EventTimer timer;
     timer.Start(stream_->handle());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+
 #include "silt/core/host_device.h"
 
 // How the GPU's code is written so that a CPU can run it too, block by block: see HostMachine. A
@@ -64,7 +66,10 @@ SILT_HOST_DEVICE inline void AtomicMin(float* least, float value) {
   // As integers, the bits of floats that are not negative have the same order.
   atomicMin(reinterpret_cast<int*>(least), __float_as_int(value));
 #else
-  if (value < *least) *least = value;
+  const std::atomic_ref<float> place(*least);
+  float seen = place.load(std::memory_order_relaxed);
+  while (value < seen && !place.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+  }
 #endif
 }
 
