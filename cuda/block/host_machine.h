@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstring>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,6 +39,7 @@ class HostMachine {
   class Array {
    public:
     Array(const HostMachine& machine, std::size_t size) : values_(size), use_(machine.use_) {
+      FillWithOnes(values_.data(), size);
       if (!use_) return;
       use_->held_bytes += size * sizeof(T);
       use_->most_held_bytes = std::max(use_->most_held_bytes, use_->held_bytes);
@@ -74,7 +77,7 @@ class HostMachine {
 
   template <typename Body>
   void Run(const Grid& grid, const Body& body) const {
-    const auto shared = std::make_unique<typename Body::Shared>();
+    const auto shared = UnwrittenShared<Body>();
     for (int i = 0; i < grid.blocks; ++i) {
       const int block = Ordered(i, grid.blocks);
       for (int phase = 0; phase < Body::kPhases; ++phase) {
@@ -88,7 +91,7 @@ class HostMachine {
   // So many blocks could meet at once: enough for groups of several, not as many as units.
   template <typename Body>
   int ResidentBlocks() const {
-    return order_ == ThreadOrder::kForward ? 5 : 3;
+    return order_ == ThreadOrder::kForward ? 5 : 4;
   }
 
   // Few, so that small batches take several launches.
@@ -103,7 +106,7 @@ class HostMachine {
     for (int i = 0; i < groups; ++i) {
       const int group = Ordered(i, groups);
       std::vector<std::unique_ptr<typename Body::Shared>> shared;
-      for (int j = 0; j < blocks; ++j) shared.push_back(std::make_unique<typename Body::Shared>());
+      for (int j = 0; j < blocks; ++j) shared.push_back(UnwrittenShared<Body>());
       const GroupPlace first{group, groups, 0, blocks, 0};
       for (Decide(first, body, *shared[0]); !body.Finished(first);
            Decide(first, body, *shared[0])) {
@@ -118,7 +121,23 @@ class HostMachine {
     return elapsed.count();
   }
 
+  // Of a block, as RunGroups and Run find it.
+  template <typename Body>
+  static std::unique_ptr<typename Body::Shared> UnwrittenShared() {
+    auto shared = std::make_unique<typename Body::Shared>();
+    FillWithOnes(shared.get(), 1);
+    return shared;
+  }
+
  private:
+  // Memory that nobody has written yet holds what no code can take for a value that is meant: NaN,
+  // or an index of −1.
+  template <typename T>
+  static void FillWithOnes(T* values, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>, "a GPU's memory holds plain data alone");
+    if (count > 0) std::memset(static_cast<void*>(values), 0xFF, count * sizeof(T));
+  }
+
   int Ordered(int i, int n) const { return order_ == ThreadOrder::kForward ? i : n - 1 - i; }
 
   template <typename Body>

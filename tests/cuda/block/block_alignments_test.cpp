@@ -179,6 +179,40 @@ TEST_P(BlockAlignmentsOn, ABatchFindsWhatEachOfItFinds) {
   }
 }
 
+// Two groups of two blocks, on whatever side of a machine.
+TEST_P(BlockAlignmentsOn, TwoTogetherFindWhatEachFinds) {
+  for (const AlignmentOptions& options : AllOptions()) {
+    for (const bool with_depth : {true, false}) {
+      const Pair pair = MakePair(*block_, options.Pyramids(), with_depth);
+      std::vector<tracker::AlignmentStart> starts;
+      for (const double start : {0.3, 1.4}) {
+        starts.push_back({*pair.reference, *pair.current, SE3d::Exp(start * kPose.Log())});
+      }
+      const std::vector<AlignmentResult> both = tracker::AlignBatch(*block_, starts, options);
+      for (std::size_t i = 0; i < starts.size(); ++i) {
+        ExpectSame(both[i], tracker::Align(*block_, pair.images(), starts[i].initial, options));
+      }
+    }
+  }
+}
+
+// No thread reads in a phase what another one writes in it, nor a block what another one does.
+TEST(BlockAlignments, TheOrderOfThreadsAndBlocksChangesNoBit) {
+  const auto forward = MakeEmulatedBackend(ThreadOrder::kForward);
+  const auto backward = MakeEmulatedBackend(ThreadOrder::kBackward);
+  int aligned = 0;
+  for (const AlignmentOptions& options : AllOptions()) {
+    for (const bool with_depth : {true, false}) {
+      const Pair one = MakePair(*forward, options.Pyramids(), with_depth);
+      const Pair other = MakePair(*backward, options.Pyramids(), with_depth);
+      const AlignmentResult result = tracker::Align(*forward, one.images(), {}, options);
+      ExpectSame(result, tracker::Align(*backward, other.images(), {}, options));
+      aligned += result.ok;
+    }
+  }
+  EXPECT_GT(aligned, 10);
+}
+
 // A launch after the other: what a batch holds at once, however many starts it has.
 TEST(BlockAlignments, MemoryDoesNotGrowWithTheStarts) {
   AlignmentOptions options = tracker::FastPreset().alignment;

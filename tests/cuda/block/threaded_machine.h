@@ -49,7 +49,7 @@ struct ThreadedMachine : HostMachine {
     std::vector<std::thread> threads;
     for (int i = 0; i < groups * blocks; ++i) {
       threads.emplace_back([&, i] {
-        const auto shared = std::make_unique<typename Body::Shared>();
+        const auto shared = UnwrittenShared<Body>();
         HostBlock block;
         RunRounds(body, {i / blocks, groups, i % blocks, blocks, 0},
                   barriers[std::size_t(i / blocks)], *shared, block);
