@@ -91,11 +91,11 @@ AlignFigures MeasureBatch(const tracker::Backend& backend, const std::vector<Mov
   const std::vector<Prepared> prepared = Prepare(backend, pairs, options);
   std::vector<tracker::AlignmentStart> all;
   for (int i = 0; i < starts; ++i) {
-    const std::size_t k = std::size_t(i) * pairs.size() / std::size_t(starts);
+    const std::size_t k = std::size_t(i) % pairs.size();
     all.push_back(
         {*prepared[k].reference, *prepared[k].current, Near(pairs[k].current_from_reference, i)});
   }
-  tracker::AlignBatch(backend, {all.front()}, options);
+  tracker::AlignBatch(backend, all, options);  // warms up
   AlignFigures figures;
   std::vector<tracker::AlignmentResult> results;
   {

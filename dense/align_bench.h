@@ -23,7 +23,7 @@ struct MovedPair {
 
 struct AlignFigures {
   int alignments = 0, ok = 0;
-  double device_ms = 0;  // for one, by the device's clock; 0 of a backend that goes step by step
+  double device_ms = 0;  // for one, by the device's clock; 0 of one that has none
   double wall_ms = 0;    // for one, images prepared before
   Work work;             // of one, on the average
 
@@ -38,8 +38,9 @@ tracker::AlignmentOptions RefinementOptions();
 AlignFigures MeasureRefinement(const tracker::Backend& backend, const std::vector<MovedPair>& pairs,
                                const tracker::AlignmentOptions& options, int repeats);
 
-// All pairs together, from `starts` poses up to 2 cm and 1° from the truth; once to warm up, and
-// once measured.
+// All pairs together, from `starts` poses up to 2 cm and 1° from the truth, one pair after the
+// other so that those that run at once share no images as far as there are others; once to warm up,
+// and once measured.
 AlignFigures MeasureBatch(const tracker::Backend& backend, const std::vector<MovedPair>& pairs,
                           const tracker::AlignmentOptions& options, int starts);
 

@@ -9,13 +9,15 @@
 
 #include "silt/core/error.h"
 #include "silt/dense/align_bench.h"
+#include "silt/dense/align_figures.h"
 #include "silt/dense/backend_comparison.h"
 #include "silt/dense/backends.h"
 
 namespace silt::dense {
 namespace {
 
-constexpr int kPairs = 8;
+// More than the caches of a large GPU hold the images of.
+constexpr int kPairs = 32;
 
 // Of neighbouring frames, evenly spread; those without a depth are left out.
 std::vector<MovedPair> PairsOf(const std::vector<RawFrame>& frames) {
@@ -30,30 +32,6 @@ std::vector<MovedPair> PairsOf(const std::vector<RawFrame>& frames) {
   }
   if (pairs.empty()) throw Error("the sequence has no two neighbouring frames with depth");
   return pairs;
-}
-
-JsonText FiguresJson(const AlignFigures& figures) {
-  JsonText json;
-  const double seconds = 1 / figures.PerSecond();
-  json.Add("alignments", figures.alignments).Add("ok", figures.ok);
-  figures.device_ms > 0 ? json.Add("device_ms", figures.device_ms) : json.AddNull("device_ms");
-  json.Add("wall_ms", figures.wall_ms)
-      .Add("per_s", figures.PerSecond())
-      .Add("floor_passes", figures.work.passes)
-      .Add("floor_bytes", figures.work.bytes)
-      .Add("floor_operations", figures.work.operations)
-      .Add("bytes_per_s", figures.work.bytes / seconds)
-      .Add("operations_per_s", figures.work.operations / seconds);
-  return json;
-}
-
-std::string FiguresLine(const char* name, const AlignFigures& figures) {
-  char line[200];
-  std::snprintf(line, sizeof line,
-                "%-12s %.4g ms (%.4g ms with the host's part), %.5g per s; %d of %d ok\n", name,
-                figures.device_ms, figures.wall_ms, figures.PerSecond(), figures.ok,
-                figures.alignments);
-  return line;
 }
 
 struct Preset {
@@ -110,21 +88,22 @@ Report MakeReport(const std::vector<RawFrame>& frames, const ReportOptions& opti
   const std::vector<MovedPair> pairs = PairsOf(frames);
   Report report;
   JsonText json, tracking;
-  json.Add("commit", options.commit).AddObject("device", DeviceFacts(options.backend));
+  const Ceilings ceilings = MeasureCeilings(options.backend);
+  json.Add("commit", options.commit).AddObject("device", DeviceFacts(options.backend, ceilings));
   json.Add("width", frames.front().camera.width).Add("height", frames.front().camera.height);
   AddTracking(frames, backend, &tracking, &report);
   json.AddObject("tracking", tracking);
   const AlignFigures refinement =
       MeasureRefinement(*backend, pairs, RefinementOptions(), options.repeats);
-  json.AddObject("refinement_20_20_5_2", FiguresJson(refinement));
-  report.text += FiguresLine("refinement", refinement);
+  json.AddObject("refinement_20_20_5_2", FiguresJson(refinement, ceilings));
+  report.text += FiguresText("refinement", refinement, ceilings);
   const AlignFigures batch = MeasureBatch(*backend, pairs, RefinementOptions(), options.starts);
-  json.AddObject("batch_20_20_5_2", FiguresJson(batch));
-  report.text += FiguresLine("batch", batch);
+  json.AddObject("batch_20_20_5_2", FiguresJson(batch, ceilings));
+  report.text += FiguresText("batch", batch, ceilings);
   const AlignFigures accurate_batch =
       MeasureBatch(*backend, pairs, tracker::AccuratePreset().alignment, options.starts);
-  json.AddObject("batch_accurate", FiguresJson(accurate_batch));
-  report.text += FiguresLine("accurate", accurate_batch);
+  json.AddObject("batch_accurate", FiguresJson(accurate_batch, ceilings));
+  report.text += FiguresText("accurate", accurate_batch, ceilings);
   json.AddFlag("agrees_with_cpu", report.agrees);
   report.json = json.Text() + "\n";
   return report;

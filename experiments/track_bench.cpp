@@ -158,6 +158,25 @@ FusedPass MeasureFusedPass(const Backend& backend, const FramePair& pair, int ca
   return {time({}), time(robust), time(with_depth)};
 }
 
+std::vector<Refinement> MeasureRefinements(const Backend& backend,
+                                           const std::vector<BenchPair>& pairs,
+                                           const TrackBenchOptions& options) {
+  std::vector<dense::MovedPair> moved;
+  for (const BenchPair& pair : pairs) {
+    const FramePair& frames = pair.frames;
+    moved.push_back(
+        {frames.camera, frames.reference, frames.current, frames.current_from_reference});
+  }
+  std::vector<Refinement> refinements;
+  for (const std::string& preset : options.presets) {
+    ThrowIfInterrupted();
+    refinements.push_back(
+        {preset, dense::MeasureRefinement(*backend, moved, PresetOptions(preset).alignment,
+                                          options.repeats * int(pairs.size()))});
+  }
+  return refinements;
+}
+
 }  // namespace
 
 Json TrackBenchOptions::ToJson() const {
@@ -172,11 +191,15 @@ TrackBench MeasureTracking(std::vector<BenchPair> pairs, const TrackBenchOptions
   Progress progress(2.0 * options.repeats * double(pairs.size() * methods.size()));
   TrackBench bench;
   bench.threads = options.threads;
+  bench.backend = backend->name();
+  for (const Method& method : methods) method.run(pairs.front().frames);
   SetThreadCount(1);
   bench.fused_pass = MeasureFusedPass(backend, pairs.front().frames, 5 * options.repeats);
   RunAll(pairs, options.repeats, &MethodRuns::one_thread, &methods, &progress);
   SetThreadCount(options.threads);
   RunAll(pairs, options.repeats, &MethodRuns::threads, &methods, &progress);
+  bench.refinements = MeasureRefinements(backend, pairs, options);
+  bench.ceilings = dense::MeasureCeilings(bench.backend);
   SetThreadCount(threads_before);
   for (Method& method : methods) bench.methods.push_back(std::move(method.runs));
   bench.pairs = std::move(pairs);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "silt/dense/align_figures.h"
 #include "silt/experiments/bench_pairs.h"
 #include "silt/experiments/json.h"
 #include "silt/tracker/keyframe_tracker.h"
@@ -46,18 +47,29 @@ struct FusedPass {
   double robust_depth_ms = 0;  // and with residuals of the inverse depth: of `fast`, `accurate`
 };
 
+// A preset's refinement alone, pair after pair, of images that lie ready: by the device's own clock
+// where it has one.
+struct Refinement {
+  std::string name;
+  dense::AlignFigures figures;
+};
+
 struct TrackBench {
   int threads = 2;
+  std::string backend;
   std::vector<BenchPair> pairs;
   std::vector<MethodRuns> methods;
   FusedPass fused_pass;
+  std::vector<Refinement> refinements;
+  dense::Ceilings ceilings;  // of the backend's device
 
   Json ToJson() const;
   std::string Format() const;
 };
 
-// The presets, and OpenCV's methods if they are there. Each repeat runs every
-// method on every pair once, so that all are slowed alike by what else the machine does.
+// The presets, and OpenCV's methods if they are there, after each has run once to warm up. Each
+// repeat runs every method on every pair once, so that all are slowed alike by what else the
+// machine does.
 TrackBench MeasureTracking(std::vector<BenchPair> pairs, const TrackBenchOptions& options);
 
 }  // namespace silt::experiments

@@ -139,6 +139,11 @@ void AddTrackBench(CLI::App& bench, const Invocation& invocation) {
       "and all else that a method prepares included. All start from the identity. OpenCV's are\n"
       "cv::rgbd::RgbdOdometry and RgbdICPOdometry with their defaults. A frame's stages are those\n"
       "against a keyframe that is there already; what making it took is the stage keyframe.\n"
+      "These are the host's times, transfers to and from a GPU included. The refinement alone, of\n"
+      "images that lie ready, is timed by the device's own clock where it has one, pair after "
+      "pair,\n"
+      "beside what must be read and computed at least (dense/work_floor.h) and what the device\n"
+      "reaches in kernels that only copy or only multiply and add.\n"
       "Examples: silt bench track --json track.json\n"
       "          silt bench track --folder office --camera 481.2 -480 319.5 239.5 --gaps 1 9");
   command->callback([options, &invocation] { Run(*options, invocation); });

@@ -131,7 +131,13 @@ Json TrackBench::ToJson() const {
     stages[method.name] = {{"one_thread", StagesJson(Medians(*this, method.one_thread, All))},
                            {"threads", StagesJson(Medians(*this, method.threads, All))}};
   }
-  return {{"pairs", by_method},
+  Json refined = Json::object();
+  for (const Refinement& refinement : refinements) {
+    refined[refinement.name] = Json::parse(dense::FiguresJson(refinement.figures, ceilings).Text());
+  }
+  return {{"refinement", refined},
+          {"device", Json::parse(dense::DeviceFacts(backend, ceilings).Text())},
+          {"pairs", by_method},
           {"pair_count", pairs.size()},
           {"threads", threads},
           {"gaps", GapsJson(*this)},
@@ -157,7 +163,12 @@ std::string TrackBench::Format() const {
   std::snprintf(line, sizeof line,
                 "fused pass, one thread, ms: %.3f; robust %.3f, with depth %.3f\n",
                 fused_pass.photometric_ms, fused_pass.robust_ms, fused_pass.robust_depth_ms);
-  return text + line;
+  text += line;
+  text += "refinement alone, on " + backend + ", for each pair:\n";
+  for (const auto& [name, figures] : refinements) {
+    text += dense::FiguresText(name, figures, ceilings);
+  }
+  return text;
 }
 
 }  // namespace silt::experiments

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "silt/core/error.h"
@@ -27,9 +29,16 @@ class BlockAlignments {
       const std::vector<tracker::AlignmentJob>& jobs) const {
     std::vector<AlignTask> tasks;
     std::vector<AlignStart> starts;
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-      if (i == 0 || !SameTask(jobs[i - 1], jobs[i])) tasks.push_back(TaskOf(jobs[i]));
-      starts.push_back({int(tasks.size()) - 1, jobs[i].initial});
+    // The same images are seen through the same options: all jobs of a batch have those.
+    std::map<std::pair<const void*, const void*>, int> of_pair;
+    for (const tracker::AlignmentJob& job : jobs) {
+      int task = int(tasks.size());
+      if (job.references.size() == 1) {
+        task = of_pair.emplace(std::pair(&job.references[0].pyramid, &job.current), task)
+                   .first->second;
+      }
+      if (task == int(tasks.size())) tasks.push_back(TaskOf(job));
+      starts.push_back({task, job.initial});
     }
     return Run(tasks, starts);
   }
@@ -42,12 +51,6 @@ class BlockAlignments {
 
   // Of all groups together: more would not run faster than those that this much serves.
   static constexpr std::size_t kScratchBytes = std::size_t(4) << 30;
-
-  // The same images, seen through the same options: all jobs of a batch have those.
-  static bool SameTask(const tracker::AlignmentJob& a, const tracker::AlignmentJob& b) {
-    return &a.current == &b.current && a.references.size() == 1 && b.references.size() == 1 &&
-           &a.references[0].pyramid == &b.references[0].pyramid;
-  }
 
   static AlignTask TaskOf(const tracker::AlignmentJob& job) {
     const auto& current = dynamic_cast<const Current&>(job.current);

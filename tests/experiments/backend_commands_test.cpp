@@ -50,7 +50,9 @@ TEST(BackendCommands, BatchesAreMeasuredOnEveryBackend) {
     EXPECT_EQ(json["batch"]["alignments"], 3);
     EXPECT_GT(json["batch"]["per_s"], 0);
     EXPECT_GT(json["batch"]["floor_operations"], json["batch"]["floor_bytes"]);
-    EXPECT_EQ(json["batch"]["device_ms"].is_null(), backend == "cpu");
+    EXPECT_TRUE(json["batch"]["device_ms"].is_null()) << "neither has a clock of its own";
+    EXPECT_TRUE(json["batch"]["floor_ms"].is_null()) << "no ceiling is measured";
+    EXPECT_EQ(json["device"]["backend"], backend);
   }
 }
 
@@ -102,6 +104,13 @@ TEST(BackendCommands, TrackingIsMeasuredOnEveryBackend) {
     EXPECT_EQ(cpu["lost"], 0);
     EXPECT_EQ(emulated["lost"], 0);
     EXPECT_GT(emulated["ms"], 0);
+    for (const Json& of_backend : all) {
+      const Json& refinement = of_backend["refinement"][preset];
+      EXPECT_EQ(refinement["alignments"], 1);
+      EXPECT_EQ(refinement["ok"], 1);
+      EXPECT_TRUE(refinement["device_ms"].is_null());
+      EXPECT_GT(refinement["bytes_per_s"], 0);
+    }
     EXPECT_NEAR(emulated["t_mm"].get<double>(), cpu["t_mm"].get<double>(), 1e-2) << preset;
   }
   EXPECT_EQ(all[1]["manifest"]["config"]["bench"]["backend"], "cuda-emulated");

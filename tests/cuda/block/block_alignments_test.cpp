@@ -162,9 +162,9 @@ TEST_P(BlockAlignmentsOn, ABatchFindsWhatEachOfItFinds) {
                               kCamera, options.Pyramids());
     std::vector<tracker::AlignmentStart> starts;
     for (int i = 0; i < 13; ++i) {
-      const tracker::ReferencePyramid& from = i == 7  ? *blind
-                                              : i < 7 ? *pair.reference
-                                                      : *reference;
+      const tracker::ReferencePyramid& from = i == 7       ? *blind
+                                              : i % 2 == 1 ? *pair.reference
+                                                           : *reference;
       starts.push_back({from, *pair.current, SE3d::Exp(0.2 * i * kPose.Log())});
     }
     starts.back().initial = SE3d::Exp({{0, 2, 0}, {0, 0, 0}});
@@ -177,6 +177,25 @@ TEST_P(BlockAlignmentsOn, ABatchFindsWhatEachOfItFinds) {
     EXPECT_TRUE(batch[3].ok && batch[10].ok);
     EXPECT_FALSE(batch[7].ok || batch[12].ok);
   }
+}
+
+// However starts of several pairs follow each other.
+TEST(BlockAlignments, APairIsDescribedOnce) {
+  const auto use = std::make_shared<MachineUse>();
+  const auto backend = MakeEmulatedBackend(ThreadOrder::kForward, use);
+  AlignmentOptions options = tracker::FastPreset().alignment;
+  options.max_iterations = {0, 0, 0, 1};
+  const Pair one = MakePair(*backend, options.Pyramids()),
+             other = MakePair(*backend, options.Pyramids());
+  std::vector<tracker::AlignmentStart> starts;
+  for (int i = 0; i < 10; ++i) {
+    const Pair& pair = i % 2 == 0 ? one : other;
+    starts.push_back({*pair.reference, *pair.current, {}});
+  }
+  *use = {};
+  tracker::AlignBatch(*backend, starts, options);
+  EXPECT_EQ(use->uploaded_bytes,
+            2 * sizeof(AlignTask) + 10 * sizeof(AlignStart) + 5 * sizeof(Round));
 }
 
 // Two groups of two blocks, on whatever side of a machine.
