@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "silt/core/error.h"
+#include "silt/tracker/coarse_initializer.h"
 #include "silt/tracker/stopwatch.h"
 
 namespace silt::dense {
@@ -28,10 +28,12 @@ TrackedSequence TrackAll(const std::vector<RawFrame>& frames,
                          std::shared_ptr<const tracker::Backend> backend) {
   SILT_CHECK(!frames.empty());
   tracker::TrackerOptions dense = options;
-  dense.always_initialize = false;
+  dense.always_initialize = true;
   dense.start = tracker::Start::kConstantVelocity;
-  tracker::KeyframeTracker tracker(frames.front().camera, dense, std::move(backend), nullptr,
-                                   frames.front().world_from_camera);
+  tracker::KeyframeTracker tracker(
+      frames.front().camera, dense, backend,
+      std::make_unique<tracker::CoarseInitializer>(backend, tracker::TurnAlone()),
+      frames.front().world_from_camera);
   TrackedSequence sequence;
   double milliseconds = 0;
   for (const RawFrame& frame : frames) {
@@ -39,6 +41,7 @@ TrackedSequence TrackAll(const std::vector<RawFrame>& frames,
     sequence.poses.push_back(tracked.world_from_camera);
     sequence.keyframe_ids.push_back(tracked.keyframe_id);
     sequence.new_keyframe.push_back(tracked.new_keyframe);
+    sequence.coarse_starts += tracked.initial.current_from_keyframe.has_value();
     sequence.lost += tracked.status == tracker::TrackingStatus::kLost;
     if (sequence.poses.size() > 1) milliseconds += tracked.times.total_ms;
   }

@@ -16,10 +16,12 @@ struct TrackedSequence {
   std::vector<int> keyframe_ids;  // that each was estimated against
   std::vector<bool> new_keyframe;
   int lost = 0;
+  int coarse_starts = 0;    // frames for which a coarse alignment found a better start
   double frames_per_s = 0;  // from images in memory to poses, the first frame left out
 };
 
-// From the first frame's true pose. Starts are dense: where the motion leads.
+// From the first frame's true pose. Each frame starts from a coarse, dense alignment
+// (coarse_initializer.h: the turn alone) from where the motion leads.
 TrackedSequence TrackAll(const std::vector<RawFrame>& frames,
                          const tracker::TrackerOptions& options,
                          std::shared_ptr<const tracker::Backend> backend);

@@ -60,6 +60,7 @@ void AddTracking(const std::vector<RawFrame>& frames,
     of_preset.Add("frames", double(frames.size()))
         .Add("frames_per_s", ours.frames_per_s)
         .Add("cpu_frames_per_s", cpus.frames_per_s)
+        .Add("coarse_starts", ours.coarse_starts)
         .Add("lost", ours.lost)
         .Add("cpu_lost", cpus.lost)
         .Add("frames_with_same_keyframes", difference.same_keyframes)

@@ -142,6 +142,13 @@ class Backend {
   // Residuals alone: warp, eq. 2, cost.
   virtual PhotometricCost Cost(const ImagePair& pair, int level,
                                const SE3d& current_from_reference) const = 0;
+  // At several poses; a backend whose images lie elsewhere is waited for once.
+  virtual std::vector<PhotometricCost> Costs(const ImagePair& pair, int level,
+                                             const std::vector<SE3d>& poses) const {
+    std::vector<PhotometricCost> costs;
+    for (const SE3d& pose : poses) costs.push_back(Cost(pair, level, pose));
+    return costs;
+  }
   // Residuals and Jacobians: eqs. 13–17.
   virtual NormalEquations Linearize(const ImagePair& pair, int level,
                                     const SE3d& current_from_reference,

@@ -63,25 +63,54 @@ MakeSmall FromHost(const Backend& backend, SmallPair pair) {
   };
 }
 
-// Of the starts, the one that ends with pictures most alike; the first of equals.
-AlignmentResult BestFrom(const std::vector<SE3d>& starts, const Backend& backend,
-                         const OwnedPair& pair, const AlignmentOptions& options) {
+// A place to look for the pose from, and where the search has come to: nowhere once it has failed.
+struct Search {
+  SE3d expected;
+  std::vector<SE3d> starts;
+};
+
+// Aligns from all starts of all searches at once. Of a search's, the one stays that ends with
+// pictures most alike; the first of equals.
+void RunStage(const Backend& backend, const OwnedPair& pair, const AlignmentOptions& options,
+              std::vector<Search>* searches) {
   std::vector<AlignmentStart> all;
-  for (const SE3d& start : starts) all.push_back({*pair.reference, *pair.current, start});
-  AlignmentResult best;
-  for (AlignmentResult& result : AlignBatch(backend, all, options)) {
-    const bool better = result.ok && (!best.ok || result.final_cost().mean_square() <
-                                                      best.final_cost().mean_square());
-    if (better) best = std::move(result);
+  for (const Search& search : *searches) {
+    for (const SE3d& start : search.starts) all.push_back({*pair.reference, *pair.current, start});
   }
-  return best;
+  const std::vector<AlignmentResult> results = AlignBatch(backend, all, options);
+  auto result = results.begin();
+  for (Search& search : *searches) {
+    const AlignmentResult* best = nullptr;
+    for (std::size_t i = 0; i < search.starts.size(); ++i, ++result) {
+      const bool better = result->ok && (!best || result->final_cost().mean_square() <
+                                                      best->final_cost().mean_square());
+      if (better) best = &*result;
+    }
+    search.starts.clear();
+    if (best) search.starts.push_back(best->current_from_reference);
+  }
 }
 
-// Mean r² of the intensities of the small pictures, or nothing where they share no pixels.
-std::optional<double> Difference(const Backend& backend, const OwnedPair& pair, const SE3d& pose) {
-  const PhotometricCost cost = backend.Cost(pair.images(), 0, pose);
-  if (cost.pixels == 0) return {};
-  return cost.mean_square();
+// Those of the searches' ends that make the small pictures more alike than the expected pose does:
+// by the mean r² of their intensities, where they share any pixels.
+std::vector<std::optional<SE3d>> MoreAlike(const Backend& backend, const OwnedPair& pair,
+                                           const std::vector<Search>& searches) {
+  std::vector<SE3d> poses;
+  for (const Search& search : searches) {
+    if (search.starts.empty()) continue;
+    poses.push_back(search.expected);
+    poses.push_back(search.starts.front());
+  }
+  const std::vector<PhotometricCost> costs = backend.Costs(pair.images(), 0, poses);
+  std::vector<std::optional<SE3d>> found(searches.size());
+  auto cost = costs.begin();
+  for (std::size_t i = 0; i < searches.size(); ++i) {
+    if (searches[i].starts.empty()) continue;
+    const PhotometricCost &before = *cost++, &after = *cost++;
+    const bool better = before.pixels == 0 || after.mean_square() < before.mean_square();
+    if (after.pixels > 0 && better) found[i] = searches[i].starts.front();
+  }
+  return found;
 }
 
 }  // namespace
@@ -136,38 +165,43 @@ InitialEstimate CoarseInitializer::Estimate(const InitializerInput& input) {
   if (other_) estimate = other_->Estimate(input);
   {
     const Stopwatch watch(&estimate.milliseconds);
-    const std::optional<SE3d> found = Find(input, estimate.current_from_keyframe);
+    const std::optional<SE3d> found =
+        Find(input, {input.expected}, estimate.current_from_keyframe).front();
     if (found) estimate.current_from_keyframe = found;
   }
   return estimate;
 }
 
-std::optional<SE3d> CoarseInitializer::Find(const InitializerInput& input,
-                                            const std::optional<SE3d>& other) const {
-  if (input.keyframe.frame.depth_m.empty()) return {};
+std::vector<std::optional<SE3d>> CoarseInitializer::FindFrom(
+    const InitializerInput& input, const std::vector<SE3d>& expected) const {
+  return Find(input, expected, {});
+}
+
+std::vector<std::optional<SE3d>> CoarseInitializer::Find(const InitializerInput& input,
+                                                         const std::vector<SE3d>& expected,
+                                                         const std::optional<SE3d>& other) const {
+  const std::vector<std::optional<SE3d>> nothing(expected.size());
+  if (input.keyframe.frame.depth_m.empty()) return nothing;
   PinholeCamera camera = input.camera;
   int halvings = 0;
   for (; camera.width > options_.max_width; camera = camera.Halved()) ++halvings;
-  if (camera.width < kSmallestSide || camera.height < kSmallestSide) return {};
+  if (camera.width < kSmallestSide || camera.height < kSmallestSide) return nothing;
   const bool held = input.held && HalvesWhatIsHeldBy(input.held->backend);
   const MakeSmall make =
       held ? FromHeld(*input.held, halvings) : FromHost(*backend_, Halved(input, halvings));
-  std::vector<SE3d> starts;
-  if (other) starts.push_back(*other);
-  for (const Vec3d& turn : options_.turns_rad) {
-    starts.push_back(SE3d{Quaterniond::Exp(turn), {}} * input.expected);
+  std::vector<Search> searches;
+  for (const SE3d& pose : expected) {
+    searches.push_back({pose, {}});
+    std::vector<SE3d>& starts = searches.back().starts;
+    if (other) starts.push_back(*other);
+    for (const Vec3d& turn : options_.turns_rad) {
+      starts.push_back(SE3d{Quaterniond::Exp(turn), {}} * pose);
+    }
   }
   for (const AlignmentOptions& stage : options_.stages) {
-    const OwnedPair pair = make(stage.use_current_depth, stage.Pyramids());
-    const AlignmentResult result = BestFrom(starts, *backend_, pair, stage);
-    if (!result.ok) return {};
-    starts = {result.current_from_reference};
+    RunStage(*backend_, make(stage.use_current_depth, stage.Pyramids()), stage, &searches);
   }
-  const OwnedPair plain = make(false, {1});
-  const std::optional<double> before = Difference(*backend_, plain, input.expected);
-  const std::optional<double> after = Difference(*backend_, plain, starts.front());
-  if (!after || (before && *after >= *before)) return {};
-  return starts.front();
+  return MoreAlike(*backend_, make(false, {1}), searches);
 }
 
 }  // namespace silt::tracker

@@ -46,8 +46,15 @@ class CoarseInitializer : public Initializer {
   InitialEstimate Estimate(const InitializerInput& input) override;
   bool needs_intensities(const Backend& backend) const override;
 
+  // The same for many expected poses of one pair at once, without the other initializer; that of
+  // the input does not count.
+  std::vector<std::optional<SE3d>> FindFrom(const InitializerInput& input,
+                                            const std::vector<SE3d>& expected) const;
+
  private:
-  std::optional<SE3d> Find(const InitializerInput& input, const std::optional<SE3d>& other) const;
+  std::vector<std::optional<SE3d>> Find(const InitializerInput& input,
+                                        const std::vector<SE3d>& expected,
+                                        const std::optional<SE3d>& other) const;
 
   bool HalvesWhatIsHeldBy(const Backend& backend) const;
 

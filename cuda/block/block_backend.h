@@ -127,14 +127,23 @@ class BlockBackend : public tracker::Backend {
 
   tracker::PhotometricCost Cost(const tracker::ImagePair& pair, int level,
                                 const SE3d& current_from_reference) const override {
-    return tracker::CostOf(Reduce(Residuals::kCost, pair, level, current_from_reference, {}).sums);
+    return Costs(pair, level, {current_from_reference}).front();
+  }
+
+  std::vector<tracker::PhotometricCost> Costs(const tracker::ImagePair& pair, int level,
+                                              const std::vector<SE3d>& poses) const override {
+    std::vector<tracker::PhotometricCost> costs;
+    for (const ImageSums& image : Reduce(Residuals::kCost, pair, level, poses, {})) {
+      costs.push_back(tracker::CostOf(image.sums));
+    }
+    return costs;
   }
 
   tracker::NormalEquations Linearize(const tracker::ImagePair& pair, int level,
                                      const SE3d& current_from_reference,
                                      const tracker::ResidualNorm& norm) const override {
-    const ImageSums image = Reduce(ResidualsOf(norm), pair, level, current_from_reference, norm);
-    return EquationsOf(image, norm);
+    return EquationsOf(
+        Reduce(ResidualsOf(norm), pair, level, {current_from_reference}, norm).front(), norm);
   }
 
   std::vector<tracker::FinishedAlignment> Run(
@@ -198,31 +207,39 @@ class BlockBackend : public tracker::Backend {
     return visible;
   }
 
-  ImageSums Reduce(Residuals kind, const tracker::ImagePair& pair, int level,
-                   const SE3d& current_from_reference, const tracker::ResidualNorm& norm) const {
+  // The sums at each pose.
+  std::vector<ImageSums> Reduce(Residuals kind, const tracker::ImagePair& pair, int level,
+                                const std::vector<SE3d>& poses,
+                                const tracker::ResidualNorm& norm) const {
     const auto& reference = dynamic_cast<const Reference&>(pair.reference);
     const auto& current = dynamic_cast<const Current&>(pair.current);
     CheckLevel(reference, current, level);
     SILT_CHECK(!norm.use_depth || !current.inverse_depth.empty());
-    const Picture& depth_m = reference.depth_m[level];
-    const int width = depth_m.width, height = depth_m.height;
+    const int width = reference.depth_m[level].width, height = reference.depth_m[level].height;
     // No pixel of a smaller image has four pixels around it.
-    if (width < 2 || height < 2) return {};
+    if (width < 2 || height < 2) return std::vector<ImageSums>(poses.size());
     const float* inverse_depth = norm.use_depth ? current.inverse_depth[level].data() : nullptr;
-    const Tiling tiling = TilingOf(width, height);
-    const PixelPass pass{WarpOf(reference.levels()[level].camera, current_from_reference),
-                         reference.intensity[level].data(),
-                         depth_m.data(),
-                         {current.intensity[level].data(), width, height},
-                         {inverse_depth, width, height},
-                         tracker::FloatNorm<kernel::RobustNorm<float>>(norm.intensity),
-                         tracker::FloatNorm<kernel::RobustNorm<float>>(norm.inverse_depth)};
+    PixelPass pass{{},
+                   reference.intensity[level].data(),
+                   reference.depth_m[level].data(),
+                   {current.intensity[level].data(), width, height},
+                   {inverse_depth, width, height},
+                   tracker::FloatNorm<kernel::RobustNorm<float>>(norm.intensity),
+                   tracker::FloatNorm<kernel::RobustNorm<float>>(norm.inverse_depth)};
+    typename Machine::template Array<ImageSums> images(machine_, poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      pass.warp = WarpOf(reference.levels()[level].camera, poses[i]);
+      StartReduction(kind, pass, TilingOf(width, height), images.data() + i);
+    }
+    return machine_.Download(images);
+  }
+
+  void StartReduction(Residuals kind, const PixelPass& pass, const Tiling& tiling,
+                      ImageSums* image) const {
     Doubles unit_sums(machine_, std::size_t(tiling.units()) * kSums);
     Doubles tile_sums(machine_, std::size_t(tiling.tiles) * kSums);
-    typename Machine::template Array<ImageSums> image(machine_, 1);
     machine_.Run({tiling.units(), kThreads}, LinearizeBody{pass, kind, tiling, unit_sums.data()});
-    machine_.Run({1, kThreads}, AddUnits{tiling, unit_sums.data(), tile_sums.data(), image.data()});
-    return machine_.Download(image).front();
+    machine_.Run({1, kThreads}, AddUnits{tiling, unit_sums.data(), tile_sums.data(), image});
   }
 
   std::string name_;

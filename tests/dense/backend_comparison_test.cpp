@@ -16,6 +16,7 @@ TEST(TrackAll, FollowsTheCamera) {
       TrackAll(frames, tracker::AccuratePreset(), tracker::MakeCpuBackend());
   ASSERT_EQ(tracked.poses.size(), frames.size());
   EXPECT_TRUE(tracked.new_keyframe[0]);
+  EXPECT_GT(tracked.coarse_starts, 0);
   EXPECT_GT(tracked.frames_per_s, 0);
   const SequenceDifference same = Compare(tracked, tracked, frames);
   EXPECT_EQ(same.same_keyframes, 5);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "silt/core/pyramid.h"
 #include "silt/tracker/coarse_initializer.h"
@@ -109,6 +110,41 @@ TEST_P(CoarseStartOn, StartsAreThoseOfTheHostsPictures) {
     EXPECT_LT(Norm((*on_machine * cpu->Inverse()).Log().omega), 1e-5);
     EXPECT_GT(Norm(cpu->rotation.Log()), 0.02);
   }
+}
+
+// Of many expected poses, all stages run together.
+TEST_P(CoarseStartOn, ManyTogetherFindWhatEachFinds) {
+  const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
+  const Pair pair = MakePair(*backend, {4, 1, true});
+  CoarseOptions options = tracker::WideStart();
+  for (tracker::AlignmentOptions& stage : options.stages) {
+    for (int& iterations : stage.max_iterations) iterations = std::min(iterations, 3);
+  }
+  options.max_width = 80;
+  const CoarseInitializer coarse(backend, options);
+  tracker::Keyframe keyframe;
+  keyframe.frame.depth_m = Scene({}).depth_m;
+  const Frame frame;
+  const Image<float> intensity;
+  const tracker::HeldImages held{*backend, pair.images()};
+  std::vector<SE3d> expected;
+  for (const double k : {0.0, 0.8, 1.5}) expected.push_back(SE3d::Exp(k * kPose.Log()));
+  expected.push_back(SE3d::Exp({{0, 2.5, 0}, {0, 0, 0}}));  // sees nothing of it
+  const auto all = coarse.FindFrom({keyframe, frame, intensity, kCamera, 0, 0, {}, held}, expected);
+  ASSERT_EQ(all.size(), expected.size());
+  int found = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto one = CoarseInitializer(backend, options)
+                         .Estimate({keyframe, frame, intensity, kCamera, 0, 0, expected[i], held})
+                         .current_from_keyframe;
+    ASSERT_EQ(all[i].has_value(), one.has_value()) << i;
+    if (!one) continue;
+    ++found;
+    EXPECT_EQ(all[i]->translation.x, one->translation.x);
+    EXPECT_EQ(all[i]->rotation.y, one->rotation.y);
+  }
+  EXPECT_GE(found, 1);
+  EXPECT_FALSE(all.back());
 }
 
 TEST_P(CoarseStartOn, OnlyWhatIsHeldElsewhereNeedsIntensities) {

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "moving_wall.h"
+#include "silt/tracker/coarse_initializer.h"
 #include "silt/tracker/keyframe_tracker.h"
 
 // What a tracker sends to a machine, and how often it waits for an answer.
@@ -17,10 +19,16 @@ struct FrameTraffic {
   bool new_keyframe = false;
 };
 
-std::vector<FrameTraffic> TrackWall(const tracker::TrackerOptions& options, int frames) {
+std::vector<FrameTraffic> TrackWall(const tracker::TrackerOptions& options, int frames,
+                                    bool coarse_starts = false) {
   const auto use = std::make_shared<MachineUse>();
-  tracker::KeyframeTracker tracker(kCamera, options,
-                                   MakeEmulatedBackend(ThreadOrder::kForward, use), nullptr);
+  const std::shared_ptr<const tracker::Backend> backend =
+      MakeEmulatedBackend(ThreadOrder::kForward, use);
+  std::unique_ptr<tracker::Initializer> initializer;
+  if (coarse_starts) {
+    initializer = std::make_unique<tracker::CoarseInitializer>(backend, tracker::TurnAlone());
+  }
+  tracker::KeyframeTracker tracker(kCamera, options, backend, std::move(initializer));
   std::vector<FrameTraffic> all;
   for (int i = 0; i < frames; ++i) {
     *use = {};
@@ -56,6 +64,18 @@ TEST(TrackerTraffic, AFrameIsWaitedForOnce) {
     EXPECT_EQ(frames[i].use.downloads, frames[i].new_keyframe ? 4 : 1) << i;
     EXPECT_EQ(frames[i].use.uploads, frames[i].new_keyframe ? 8 : 5) << i;
     EXPECT_LT(frames[i].use.downloaded_bytes, frames[i].new_keyframe ? 8000u : 3500u) << i;
+  }
+}
+
+// Its small pictures are made where the large ones lie. Waited for: the counts of the levels of two
+// pairs, the outcome of its one stage, and the costs before and after it together.
+TEST(TrackerTraffic, ACoarseStartSendsNoPictures) {
+  tracker::TrackerOptions options = tracker::FastPreset();
+  options.always_initialize = true;
+  for (const auto& [use, new_keyframe] : TrackWall(options, 4, true)) {
+    EXPECT_LT(use.uploaded_bytes, 1.2 * kFrameBytes);
+    if (new_keyframe) continue;
+    EXPECT_EQ(use.downloads, 1 + 2 + 1 + 1);
   }
 }
 
