@@ -29,6 +29,9 @@ struct AlignmentPlan {
   int scale_rounds = 0;
   bool robust = false, use_depth = false, rotation_only = false, fit_brightness = false;
   double depth_patch_px = 1;
+  // Asks for the equations of a trial at once, as with a robust norm, instead of for its cost and
+  // then for the equations where it is taken: the same results in fewer rounds.
+  bool linearize_trials = false;
   bool keep_log = false;  // computes the cost of the last step of a level too, which is not taken
   double robust_scale = 0, robust_gradient = 0;
   // MeanRobustSquare(robust_scale): what makes a scale of the residuals a standard deviation.
@@ -169,7 +172,13 @@ class LevenbergMarquardt {
     // What the last step leads to, only the log asks.
     if (summary.converged && !plan.keep_log) return TakeLastStep(plan);
     phase_ = Phase::kTrial;
-    wanted_ = plan.robust ? Wanted::kEquations : Wanted::kCost;
+    wanted_ = plan.robust || EquationsWithTrial(plan) ? Wanted::kEquations : Wanted::kCost;
+  }
+
+  // After a level's last trial nobody asks for its equations.
+  SILT_HOST_DEVICE bool EquationsWithTrial(const AlignmentPlan& plan) const {
+    return plan.linearize_trials &&
+           summaries_[level_count_].iterations < plan.max_iterations[level_ - 1];
   }
 
   SILT_HOST_DEVICE void TakeLastStep(const AlignmentPlan& plan) {
@@ -200,7 +209,7 @@ class LevenbergMarquardt {
     pose_ = trial_;
     cost_ = trial.cost;
     damping_ /= plan.damping_factor;
-    if (plan.robust) {
+    if (plan.robust || EquationsWithTrial(plan)) {
       equations_ = trial;
     } else if (summary.iterations < plan.max_iterations[level_ - 1]) {
       phase_ = Phase::kRelinearize;

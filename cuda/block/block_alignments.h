@@ -40,7 +40,7 @@ class BlockAlignments {
       if (task == int(tasks.size())) tasks.push_back(TaskOf(job));
       starts.push_back({task, job.initial});
     }
-    return Run(tasks, starts);
+    return Run(std::move(tasks), starts);
   }
 
  private:
@@ -148,9 +148,11 @@ class BlockAlignments {
 
   // Several launches, one after the other, with what each of them needs: memory does not grow with
   // the number of starts.
-  std::vector<tracker::FinishedAlignment> Run(const std::vector<AlignTask>& tasks,
+  std::vector<tracker::FinishedAlignment> Run(std::vector<AlignTask> tasks,
                                               const std::vector<AlignStart>& starts) const {
     const Shares shares = SharesOf(tasks, starts.size());
+    // Where many blocks work on one alignment, they wait for each other longer than they compute.
+    for (AlignTask& task : tasks) task.plan.linearize_trials = shares.BlocksOf(shares.groups) > 1;
     Array<AlignTask> task_array(machine_, tasks.size());
     machine_.Upload(tasks.data(), task_array);
     const std::size_t of_launch = std::size_t(shares.groups) * Machine::kStartsOfGroup;
