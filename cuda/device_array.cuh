@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "silt/cuda/check.cuh"
+#include "silt/cuda/device_needs.h"
 
 namespace silt::cuda {
 
@@ -14,7 +15,13 @@ template <typename T>
 class DeviceArray {
  public:
   explicit DeviceArray(std::size_t size) : size_(size) {
-    if (size > 0) Check(cudaMalloc(&values_, size * sizeof(T)), "allocating device memory");
+    if (size == 0) return;
+    const cudaError_t status = cudaMalloc(&values_, size * sizeof(T));
+    if (status == cudaErrorMemoryAllocation) {
+      ForgetLastError();
+      throw Error(OutOfMemoryText(size * sizeof(T)));
+    }
+    Check(status, "allocating device memory");
   }
   DeviceArray(const T* host, std::size_t size) : DeviceArray(size) {
     if (size > 0) {
@@ -22,7 +29,7 @@ class DeviceArray {
             "copying to the device");
     }
   }
-  ~DeviceArray() { cudaFree(values_); }
+  ~DeviceArray() { Report(cudaFree(values_), "freeing device memory"); }
   DeviceArray(const DeviceArray&) = delete;
   DeviceArray& operator=(const DeviceArray&) = delete;
 

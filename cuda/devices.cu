@@ -17,7 +17,7 @@ std::vector<Device> DeviceList() {
   int count = 0;
   const cudaError_t status = cudaGetDeviceCount(&count);
   if (status == cudaErrorNoDevice || status == cudaErrorInsufficientDriver) {
-    cudaGetLastError();  // no GPU is an answer, not an error to be kept
+    ForgetLastError();  // no GPU is an answer, not an error to be kept
     return {};
   }
   Check(status, "counting devices");

@@ -8,33 +8,43 @@
 
 namespace silt::cuda {
 
+// A place in a stream's work.
+class Event {
+ public:
+  explicit Event(unsigned flags = cudaEventDefault) {
+    Check(cudaEventCreateWithFlags(&handle_, flags), "making an event");
+  }
+  ~Event() { Report(cudaEventDestroy(handle_), "ending an event"); }
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
+
+  cudaEvent_t handle() const { return handle_; }
+  void Record(cudaStream_t stream) {
+    Check(cudaEventRecord(handle_, stream), "recording an event");
+  }
+  // Until the work before it is done; at once where it was never recorded.
+  void Wait() const { Check(cudaEventSynchronize(handle_), "waiting for an event"); }
+
+ private:
+  cudaEvent_t handle_ = nullptr;
+};
+
 // The time between two places of a stream, by the device's own clock.
 class EventTimer {
  public:
-  EventTimer() {
-    Check(cudaEventCreate(&start_), "making an event");
-    Check(cudaEventCreate(&stop_), "making an event");
-  }
-  ~EventTimer() {
-    cudaEventDestroy(start_);
-    cudaEventDestroy(stop_);
-  }
-  EventTimer(const EventTimer&) = delete;
-  EventTimer& operator=(const EventTimer&) = delete;
-
-  void Start(cudaStream_t stream) { Check(cudaEventRecord(start_, stream), "recording an event"); }
-  void Stop(cudaStream_t stream) { Check(cudaEventRecord(stop_, stream), "recording an event"); }
+  void Start(cudaStream_t stream) { start_.Record(stream); }
+  void Stop(cudaStream_t stream) { stop_.Record(stream); }
 
   // Waits for the second place.
   double Milliseconds() const {
     float milliseconds = 0;
-    Check(cudaEventSynchronize(stop_), "waiting for an event");
-    Check(cudaEventElapsedTime(&milliseconds, start_, stop_), "reading events");
+    stop_.Wait();
+    Check(cudaEventElapsedTime(&milliseconds, start_.handle(), stop_.handle()), "reading events");
     return double(milliseconds);
   }
 
  private:
-  cudaEvent_t start_ = nullptr, stop_ = nullptr;
+  Event start_, stop_;
 };
 
 }  // namespace silt::cuda

@@ -41,7 +41,7 @@ class GpuMachine {
       if (size > 0) values_ = static_cast<T*>(stream_->Allocate(size * sizeof(T)));
     }
     ~Array() {
-      if (values_ != nullptr) cudaFreeAsync(values_, stream_->handle());
+      if (values_ != nullptr) stream_->Free(values_);
     }
     Array(const Array&) = delete;
     Array& operator=(const Array&) = delete;

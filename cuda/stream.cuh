@@ -10,72 +10,84 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
-#include <string>
+#include <utility>
 
 #include "silt/cuda/check.cuh"
+#include "silt/cuda/device_needs.h"
+#include "silt/cuda/event_timer.cuh"
 
 namespace silt::cuda {
 
 // Memory of the host that the device reads and writes without another copy.
 class PinnedBuffer {
  public:
-  PinnedBuffer() {
-    Check(cudaEventCreateWithFlags(&free_, cudaEventDisableTiming), "making an event");
-  }
-  ~PinnedBuffer() {
-    cudaFreeHost(bytes_);
-    cudaEventDestroy(free_);
-  }
+  PinnedBuffer() = default;
+  ~PinnedBuffer() { Report(cudaFreeHost(bytes_), "freeing pinned memory"); }
   PinnedBuffer(const PinnedBuffer&) = delete;
   PinnedBuffer& operator=(const PinnedBuffer&) = delete;
 
   // Room for so many bytes, once the copy that used it last is done.
   void* Take(std::size_t size) {
-    Check(cudaEventSynchronize(free_), "waiting for a copy");
-    if (size > size_) {
-      cudaFreeHost(bytes_);
-      bytes_ = nullptr;
-      size_ = 0;
-      Check(cudaMallocHost(&bytes_, size), "allocating pinned memory of the host");
-      size_ = size;
-    }
+    free_.Wait();
+    if (size <= size_) return bytes_;
+    void* const old = std::exchange(bytes_, nullptr);
+    size_ = 0;
+    Check(cudaFreeHost(old), "freeing pinned memory");
+    Check(cudaMallocHost(&bytes_, size), "allocating pinned memory of the host");
+    size_ = size;
     return bytes_;
   }
-  void UsedBy(cudaStream_t stream) { Check(cudaEventRecord(free_, stream), "recording an event"); }
+  void UsedBy(cudaStream_t stream) { free_.Record(stream); }
 
  private:
   void* bytes_ = nullptr;
   std::size_t size_ = 0;
-  cudaEvent_t free_ = nullptr;
+  Event free_{cudaEventDisableTiming};
+};
+
+class StreamHandle {
+ public:
+  StreamHandle() {
+    Check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "making a stream");
+  }
+  // Once its work is done.
+  ~StreamHandle() {
+    Report(cudaStreamSynchronize(stream_), "waiting for a stream's end");
+    Report(cudaStreamDestroy(stream_), "ending a stream");
+  }
+  StreamHandle(const StreamHandle&) = delete;
+  StreamHandle& operator=(const StreamHandle&) = delete;
+
+  cudaStream_t get() const { return stream_; }
+
+ private:
+  cudaStream_t stream_ = nullptr;
 };
 
 // A stream with what its copies need: they go through pinned memory, so that those to the device
 // return at once. Any number of threads may use it.
 class Stream {
  public:
-  Stream() {
-    Check(cudaStreamCreateWithFlags(&handle_, cudaStreamNonBlocking), "making a stream");
-    KeepPool();
-  }
-  ~Stream() {
-    cudaStreamSynchronize(handle_);
-    cudaStreamDestroy(handle_);
-  }
+  Stream() { KeepPool(); }
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
-  cudaStream_t handle() const { return handle_; }
+  cudaStream_t handle() const { return handle_.get(); }
 
   void* Allocate(std::size_t bytes) const {
     void* memory = nullptr;
-    const cudaError_t status = cudaMallocAsync(&memory, bytes, handle_);
+    const cudaError_t status = cudaMallocAsync(&memory, bytes, handle());
     if (status == cudaErrorMemoryAllocation) {
-      cudaGetLastError();  // told below, and nothing is broken
-      throw Error("CUDA: the device has no " + std::to_string(bytes >> 20) +
-                  " MiB left; use smaller images, fewer keyframes or fewer starts at once");
+      ForgetLastError();
+      throw Error(OutOfMemoryText(bytes));
     }
     Check(status, "allocating device memory");
     return memory;
+  }
+
+  // After the work that is on its way.
+  void Free(void* memory) const noexcept {
+    Report(cudaFreeAsync(memory, handle()), "freeing device memory");
   }
 
   void CopyToDevice(void* to, const void* from, std::size_t bytes) {
@@ -83,18 +95,18 @@ class Stream {
     PinnedBuffer& buffer = buffers_[next_++ % buffers_.size()];
     void* const pinned = buffer.Take(bytes);
     std::memcpy(pinned, from, bytes);
-    Check(cudaMemcpyAsync(to, pinned, bytes, cudaMemcpyHostToDevice, handle_),
+    Check(cudaMemcpyAsync(to, pinned, bytes, cudaMemcpyHostToDevice, handle()),
           "copying to the device");
-    buffer.UsedBy(handle_);
+    buffer.UsedBy(handle());
   }
 
   // Waits for all before it.
   void CopyToHost(void* to, const void* from, std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     void* const pinned = results_.Take(bytes);
-    Check(cudaMemcpyAsync(pinned, from, bytes, cudaMemcpyDeviceToHost, handle_),
+    Check(cudaMemcpyAsync(pinned, from, bytes, cudaMemcpyDeviceToHost, handle()),
           "copying from the device");
-    Check(cudaStreamSynchronize(handle_), "waiting for the device");
+    Check(cudaStreamSynchronize(handle()), "waiting for the device");
     std::memcpy(to, pinned, bytes);
   }
 
@@ -110,11 +122,11 @@ class Stream {
           "setting up the memory pool");
   }
 
-  cudaStream_t handle_ = nullptr;
   std::mutex mutex_;
   std::array<PinnedBuffer, 4> buffers_;  // colours and depth of one frame and of the next
   std::size_t next_ = 0;
   PinnedBuffer results_;
+  StreamHandle handle_;  // is ended first: its copies use the buffers
 };
 
 }  // namespace silt::cuda
