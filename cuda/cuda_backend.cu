@@ -8,9 +8,8 @@
 namespace silt::cuda {
 
 std::unique_ptr<const tracker::Backend> MakeCudaBackend() {
-  if (DeviceList().empty()) {
-    throw Error("--backend cuda: no CUDA device is at hand; use --backend cpu");
-  }
+  const std::string why_not = WhyNoUsableDevice();
+  if (!why_not.empty()) throw Error("--backend cuda: " + why_not + "; use --backend cpu");
   Check(cudaSetDevice(0), "choosing the first device");
   return std::make_unique<BlockBackend<GpuMachine>>("cuda", GpuMachine());
 }

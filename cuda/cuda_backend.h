@@ -8,7 +8,7 @@
 
 namespace silt::cuda {
 
-// The tracker on the first GPU. Throws silt::Error where there is none.
+// The tracker on the first GPU. Throws silt::Error where there is none that can serve it.
 std::unique_ptr<const tracker::Backend> MakeCudaBackend();
 
 }  // namespace silt::cuda

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the silt authors
 // SPDX-License-Identifier: MIT
 #include "silt/cuda/check.cuh"
+#include "silt/cuda/device_needs.h"
 #include "silt/cuda/devices.h"
 
 namespace silt::cuda {
 namespace {
 
-std::string VersionText(int version) {
-  if (version == 0) return "none";
-  return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
+int DriverVersion() {
+  int version = 0;
+  Check(cudaDriverGetVersion(&version), "asking for the driver's version");
+  return version;
 }
 
 }  // namespace
@@ -25,16 +27,22 @@ std::vector<Device> DeviceList() {
   for (int i = 0; i < count; ++i) {
     cudaDeviceProp properties;
     Check(cudaGetDeviceProperties(&properties, i), "asking for a device's properties");
-    devices.push_back(
-        {properties.name, properties.major, properties.minor, properties.totalGlobalMem});
+    int memory_pools = 0;
+    Check(cudaDeviceGetAttribute(&memory_pools, cudaDevAttrMemoryPoolsSupported, i),
+          "asking for a device's memory pools");
+    devices.push_back({properties.name, properties.major, properties.minor,
+                       properties.totalGlobalMem, properties.cooperativeLaunch != 0,
+                       memory_pools != 0});
   }
   return devices;
 }
 
-Versions DriverAndToolkit() {
-  int driver = 0;
-  Check(cudaDriverGetVersion(&driver), "asking for the driver's version");
-  return {VersionText(driver), VersionText(CUDART_VERSION)};
+std::string WhyNoUsableDevice() {
+  const std::vector<Device> devices = DeviceList();
+  if (devices.empty()) return WhyNoDevice(DriverVersion(), CUDART_VERSION);
+  return WhatLacks(devices.front());
 }
+
+Versions DriverAndToolkit() { return {VersionText(DriverVersion()), VersionText(CUDART_VERSION)}; }
 
 }  // namespace silt::cuda

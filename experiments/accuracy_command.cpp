@@ -101,7 +101,7 @@ void AddOptions(CLI::App& command, Options& o) {
           "Trackers to compare: paper, paper-all-pixels, accurate, fast; with options changed: "
           "accurate:joint=1")
       ->capture_default_str();
-  command.add_option("--backend", o.accuracy.backend, kBackendHelp)->capture_default_str();
+  AddBackendOption(command, o.accuracy.backend);
   command.add_option("--init", o.accuracy.initializer, "Where alignments start, as of silt track")
       ->capture_default_str();
   command

@@ -78,8 +78,7 @@ void AddAlignBatchBench(CLI::App& bench, const Invocation& invocation) {
   command->add_option("--scene", options->scene, "Scene by name or path")->capture_default_str();
   command->add_option("--trajectory", options->trajectory,
                       "Camera path by name or path; default: desk, or the only one");
-  command->add_option("--backend", options->backend, "cpu, cuda, cuda-emulated or auto")
-      ->capture_default_str();
+  AddBackendOption(*command, options->backend);
   command->add_option("--preset", options->preset,
                       "Whose refinement; default: the paper's 20/20/5/2 solves, none saved");
   const auto integer = [&](const char* name, int& value, int low, int high, const char* help) {

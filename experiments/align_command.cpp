@@ -114,7 +114,7 @@ void AddAlignCommand(CLI::App& program, const Invocation& invocation) {
       ->expected(7);
   command->add_option("--preset", setup.tracker.preset, "accurate, fast, paper, paper-all-pixels")
       ->capture_default_str();
-  command->add_option("--backend", setup.tracker.backend, kBackendHelp)->capture_default_str();
+  AddBackendOption(*command, setup.tracker.backend);
   RequireInteger(command->add_option("--threads", options->threads, "0: one per processor"), 0,
                  1024);
   command->add_option("--json", options->json, "Write results and manifest here (-: to stdout)");

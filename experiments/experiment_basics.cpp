@@ -39,7 +39,7 @@ void AddExperimentBasics(CLI::App& command, ExperimentBasics& o) {
   command.add_option("--scene", o.scene, "Scene by name or path; default: office");
   command.add_option("--trajectory", o.trajectory,
                      "Camera path by name or path; default: desk, or the only one");
-  command.add_option("--backend", o.backend, kBackendHelp)->capture_default_str();
+  AddBackendOption(command, o.backend);
   RequireInteger(command.add_option("--width", o.width, "Width of the image; default: 640"), 64,
                  8192);
   RequireInteger(

@@ -38,7 +38,9 @@ std::string CudaFacts() {
   try {
     std::string devices;
     for (const cuda::Device& device : cuda::DeviceList()) devices += ", " + device.name;
-    return "compiled in" + (devices.empty() ? ", no device" : devices);
+    const std::string why_not = cuda::WhyNoUsableDevice();
+    return "compiled in" + (devices.empty() ? ", no device" : devices) +
+           (why_not.empty() ? "" : " (" + why_not + ")");
   } catch (const Error& error) {
     return std::string("compiled in, ") + error.what();
   }

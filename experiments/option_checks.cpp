@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "silt/experiments/tracker_setup.h"
+
 namespace silt::experiments {
 namespace {
 
@@ -40,6 +42,12 @@ CLI::Option* RequireInteger(CLI::Option* option, long long low, long long high) 
     const bool good = Parses(text, value) && value >= low && value <= high;
     return good ? std::string() : Complaint(text, "an integer", double(low), double(high));
   });
+}
+
+CLI::Option* AddBackendOption(CLI::App& command, std::string& backend) {
+  return command.add_option("--backend", backend, kBackendHelp)
+      ->transform([](const std::string& name) { return ResolvedBackend(name); })
+      ->capture_default_str();
 }
 
 }  // namespace silt::experiments

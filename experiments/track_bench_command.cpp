@@ -128,7 +128,7 @@ void AddTrackBench(CLI::App& bench, const Invocation& invocation) {
   integer("--instants", options->choice.instants, 10000, "Pairs of each gap, evenly spread");
   integer("--repeats", options->bench.repeats, 1000, "Of which the fastest counts");
   integer("--threads", options->bench.threads, 1024, "Threads; one thread is measured beside them");
-  command->add_option("--backend", options->bench.backend, kBackendHelp)->capture_default_str();
+  AddBackendOption(*command, options->bench.backend);
   command
       ->add_option("--preset", options->bench.presets,
                    "Presets to compare; name:option=value changes one")

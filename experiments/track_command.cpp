@@ -221,7 +221,7 @@ void AddTrackerOptions(CLI::App& command, Options& options) {
       .add_option("--preset", options.tracker.preset,
                   "Tracker: paper, paper-all-pixels (hidden ones too), accurate, fast")
       ->capture_default_str();
-  command.add_option("--backend", options.tracker.backend, kBackendHelp)->capture_default_str();
+  AddBackendOption(command, options.tracker.backend);
   command
       .add_option(
           "--init", options.tracker.initializer,

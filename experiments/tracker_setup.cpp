@@ -25,11 +25,16 @@ namespace {
   throw Error("no " + kind + " is named '" + name + "'; there are: " + list);
 }
 
-bool HasGpu() {
+// Empty where the GPU's backend can be had.
+std::string WhyNoGpu() {
 #ifdef SILT_HAVE_CUDA
-  return !cuda::DeviceList().empty();
+  try {
+    return cuda::WhyNoUsableDevice();
+  } catch (const Error& error) {
+    return error.what();
+  }
 #else
-  return false;
+  return "built without nvcc";
 #endif
 }
 
@@ -37,6 +42,13 @@ bool HasGpu() {
 
 std::vector<std::string> BackendNames() {
   return {"cpu", "cpu-sse2", "cpu-avx2", "cpu-avx512", "cuda", "cuda-emulated", "auto"};
+}
+
+std::string ResolvedBackend(const std::string& name) {
+  if (name != "auto") return name;
+  const std::string why_not = WhyNoGpu();
+  spdlog::info("--backend auto: {}", why_not.empty() ? "cuda" : "cpu (" + why_not + ")");
+  return why_not.empty() ? "cuda" : "cpu";
 }
 
 std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
@@ -54,11 +66,7 @@ std::unique_ptr<const tracker::Backend> MakeBackend(const std::string& name) {
         "cpu");
   }
 #endif
-  if (name == "auto") {
-    const std::string best = HasGpu() ? "cuda" : "cpu";
-    spdlog::info("--backend auto: {}", best);
-    return MakeBackend(best);
-  }
+  if (name == "auto") return MakeBackend(ResolvedBackend(name));
   Unknown("backend", name, BackendNames());
 }
 

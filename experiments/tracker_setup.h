@@ -27,11 +27,15 @@ struct TrackerSetup {
 // Those that this build knows, compiled in or not. "cpu" takes the best SIMD level that the
 // processor has, "cpu-avx2" that one; the results are the same. "cuda" is the first GPU,
 // "cuda-emulated" the GPU's code run by the CPU thread by thread, and "auto" the GPU if there is
-// one.
+// one that can serve.
 std::vector<std::string> BackendNames();
 inline constexpr const char* kBackendHelp =
     "Where it computes: cpu (or cpu-sse2, cpu-avx2, cpu-avx512), cuda, cuda-emulated, or auto: a "
     "GPU if there is one";
+
+// What "auto" stands for on this machine, which it says on stderr, and why; other names as they
+// are.
+std::string ResolvedBackend(const std::string& name);
 
 // Each throws silt::Error for an unknown name, and MakeBackend for one that is not compiled in or
 // finds no device.

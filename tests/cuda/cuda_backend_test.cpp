@@ -11,12 +11,12 @@ namespace silt::cuda {
 namespace {
 
 TEST(CudaBackend, WithoutADeviceIsOneClearLine) {
-  if (!DeviceList().empty()) GTEST_SKIP() << "there is a CUDA device";
+  if (WhyNoUsableDevice().empty()) GTEST_SKIP() << "there is a CUDA device";
   try {
     MakeCudaBackend();
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "--backend cuda: no CUDA device is at hand; use --backend cpu");
+    EXPECT_EQ(error.what(), "--backend cuda: " + WhyNoUsableDevice() + "; use --backend cpu");
   }
 }
 

@@ -26,7 +26,7 @@ std::string ErrorOf(const Allocate& allocate) {
 
 // And goes on serving.
 TEST(DeviceMemory, WhatTheDeviceDoesNotHaveIsOneClearLine) {
-  if (DeviceList().empty()) GTEST_SKIP() << "no CUDA device";
+  if (!WhyNoUsableDevice().empty()) GTEST_SKIP() << "no CUDA device";
   const Stream stream;
   EXPECT_EQ(ErrorOf([&] { stream.Allocate(kTooMuch); }), OutOfMemoryText(kTooMuch));
   EXPECT_EQ(ErrorOf([] { DeviceArray<char> array(kTooMuch); }), OutOfMemoryText(kTooMuch));

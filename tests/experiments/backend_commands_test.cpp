@@ -37,9 +37,28 @@ TEST(BackendCommands, AutoSaysWhatItTook) {
   const ProgramResult result = RunSilt(kBatch + "--backend auto");
   EXPECT_EQ(result.exit_code, 0) << result.error;
   const bool gpu = HasCuda() && HasDevice();
-  EXPECT_NE(result.error.find(gpu ? "--backend auto: cuda" : "--backend auto: cpu"),
-            std::string::npos)
-      << result.error;
+  const std::string told = gpu         ? "--backend auto: cuda\n"
+                           : HasCuda() ? "--backend auto: cpu (no CUDA device is at hand)\n"
+                                       : "--backend auto: cpu (built without nvcc)\n";
+  EXPECT_NE(result.error.find(told), std::string::npos) << result.error;
+}
+
+// Not "auto": another machine would compute elsewhere.
+TEST(BackendCommands, WhatAutoTookIsWrittenDown) {
+  const std::string taken = HasCuda() && HasDevice() ? "cuda" : "cpu";
+  const ProgramResult bench = RunSilt(
+      "bench track --scene studio --width 64 --gaps 1 --instants 1 --repeats 1 --threads 1 "
+      "--preset fast --json - --backend auto");
+  ASSERT_EQ(bench.exit_code, 0) << bench.error;
+  EXPECT_EQ(Json::parse(bench.out)["manifest"]["config"]["bench"]["backend"], taken);
+  const TestFolder folder;
+  const std::string out = (folder / "estimate.txt").string();
+  const ProgramResult track = RunSilt(
+      "track --scene studio --width 64 --spp 1 --fps 10 --duration 0.1 --backend auto --out " +
+      out + " --json " + (folder / "track.json").string());
+  ASSERT_EQ(track.exit_code, 0) << track.error;
+  EXPECT_NE(ReadText(folder / "track.json").find("\"backend\": \"" + taken + "\""),
+            std::string::npos);
 }
 
 TEST(BackendCommands, BatchesAreMeasuredOnEveryBackend) {

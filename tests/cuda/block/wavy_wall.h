@@ -69,7 +69,7 @@ inline std::unique_ptr<const tracker::Backend> MakeBackendOn(Machine machine) {
   if (machine == Machine::kForward) return MakeEmulatedBackend(ThreadOrder::kForward);
   if (machine == Machine::kBackward) return MakeEmulatedBackend(ThreadOrder::kBackward);
 #ifdef SILT_HAVE_CUDA
-  if (!DeviceList().empty()) return MakeCudaBackend();
+  if (WhyNoUsableDevice().empty()) return MakeCudaBackend();
 #endif
   return nullptr;
 }
@@ -78,7 +78,7 @@ class BackendTest : public testing::TestWithParam<Machine> {
  protected:
   void SetUp() override {
     block_ = MakeBackendOn(GetParam());
-    if (!block_) GTEST_SKIP() << "no CUDA device, or built without nvcc";
+    if (!block_) GTEST_SKIP() << "no CUDA device that serves, or built without nvcc";
   }
 
   std::unique_ptr<const tracker::Backend> block_;
