@@ -6,6 +6,7 @@
 
 #include "silt/core/error.h"
 #include "silt/dense/align_bench.h"
+#include "silt/dense/backends.h"
 #include "silt/tracker/cpu_backend.h"
 #include "waves.h"
 
@@ -35,6 +36,15 @@ void ExpectReport(const std::string& backend) {
 TEST(Report, OfTheCpuAgreesWithItself) { ExpectReport("cpu"); }
 
 TEST(Report, OfTheGpusCodeAgreesWithTheCpu) { ExpectReport("cuda-emulated"); }
+
+TEST(Report, OfTheGpuAgreesWithTheCpu) {
+  try {
+    MakeBackend("cuda");
+  } catch (const Error& why_not) {
+    GTEST_SKIP() << why_not.what();
+  }
+  ExpectReport("cuda");
+}
 
 TEST(Report, NeedsTwoFramesAndAKnownBackend) {
   EXPECT_THROW(MakeReport(Waves(1), Small("cpu")), Error);

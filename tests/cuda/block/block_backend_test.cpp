@@ -39,30 +39,37 @@ ResidualNorm Robust(bool use_depth) {
 
 using Gradient = std::array<double, 6>;
 
-// Both are near where b differs by no more than a millionth of `scale`.
-void ExpectNear(const NormalEquations& block, const NormalEquations& cpu, const Gradient& scale) {
-  EXPECT_EQ(block.cost.pixels, cpu.cost.pixels);
-  EXPECT_NEAR(block.cost.sum, cpu.cost.sum, 1e-6 * cpu.cost.sum);
-  EXPECT_NEAR(block.cost.squares, cpu.cost.squares, 1e-6 * cpu.cost.squares);
-  EXPECT_EQ(block.intensity.count, cpu.intensity.count);
-  EXPECT_NEAR(block.intensity.squares, cpu.intensity.squares, 1e-6 * cpu.intensity.squares);
-  EXPECT_EQ(block.inverse_depth.count, cpu.inverse_depth.count);
+// Both are near where b differs by no more than a millionth of `scale`, and as many pixels count
+// but for `stray` at a border, each of which may be a thousandth of a sum.
+void ExpectNear(const NormalEquations& block, const NormalEquations& cpu, const Gradient& scale,
+                int stray = 0) {
+  const auto difference = block.cost.pixels - cpu.cost.pixels;
+  EXPECT_LE(std::abs(difference), stray);
+  const double astray = 1e-3 * double(std::abs(difference));
+  EXPECT_NEAR(block.cost.sum, cpu.cost.sum, (1e-6 + astray) * cpu.cost.sum);
+  EXPECT_NEAR(block.cost.squares, cpu.cost.squares, (1e-6 + astray) * cpu.cost.squares);
+  EXPECT_NEAR(block.intensity.count, cpu.intensity.count, stray);
+  EXPECT_NEAR(block.intensity.squares, cpu.intensity.squares,
+              (1e-6 + astray) * cpu.intensity.squares);
+  EXPECT_NEAR(block.inverse_depth.count, cpu.inverse_depth.count, stray);
   EXPECT_NEAR(block.inverse_depth.squares, cpu.inverse_depth.squares,
-              1e-6 * cpu.inverse_depth.squares);
+              (1e-6 + astray) * cpu.inverse_depth.squares);
   double diagonal[6];
   for (int i = 0, k = 0; i < 6; k += 6 - i, ++i) diagonal[i] = cpu.hessian[k];
   for (int i = 0, k = 0; i < 6; ++i) {
     for (int j = i; j < 6; ++j, ++k) {
-      EXPECT_NEAR(block.hessian[k], cpu.hessian[k], 1e-5 * std::sqrt(diagonal[i] * diagonal[j]));
+      EXPECT_NEAR(block.hessian[k], cpu.hessian[k],
+                  (1e-5 + astray) * std::sqrt(diagonal[i] * diagonal[j]));
     }
     EXPECT_GT(scale[i], 0);
-    EXPECT_NEAR(block.gradient[i], cpu.gradient[i], 1e-6 * scale[i]) << i;
+    EXPECT_NEAR(block.gradient[i], cpu.gradient[i], (1e-6 + astray) * scale[i]) << i;
   }
   double scatter[6];
   for (int i = 0, k = 0; i < 6; k += 6 - i, ++i) scatter[i] = cpu.scatter[k];
   for (int i = 0, k = 0; i < 6; ++i) {
     for (int j = i; j < 6; ++j, ++k) {
-      EXPECT_NEAR(block.scatter[k], cpu.scatter[k], 1e-4 * std::sqrt(scatter[i] * scatter[j]));
+      EXPECT_NEAR(block.scatter[k], cpu.scatter[k],
+                  (1e-4 + astray) * std::sqrt(scatter[i] * scatter[j]));
     }
   }
 }
@@ -141,7 +148,11 @@ Gradient AbsoluteGradient(const HostLevel& level, const SE3d& pose, const Residu
   return sum;
 }
 
-class BlockBackendOn : public BackendTest {};
+class BlockBackendOn : public BackendTest {
+ protected:
+  // A GPU rounds divisions and floors otherwise: a pixel at a border may land beyond it.
+  static int Stray() { return GetParam() == Machine::kGpu ? 3 : 0; }
+};
 INSTANTIATE_BACKENDS(BlockBackendOn);
 
 TEST_P(BlockBackendOn, PyramidsMeasureWhatTheCpusDo) {
@@ -171,7 +182,7 @@ TEST_P(BlockBackendOn, EquationsAreTheCpusAtEveryLevelAndOfEveryNorm) {
           const NormalEquations expected = cpu_->Linearize(cpu.images(), level, pose, norm);
           EXPECT_GT(expected.cost.pixels, 20);
           ExpectNear(block_->Linearize(block.images(), level, pose, norm), expected,
-                     AbsoluteGradient(levels[level], pose, norm));
+                     AbsoluteGradient(levels[level], pose, norm), Stray());
         }
       }
     }
@@ -201,7 +212,7 @@ TEST_P(BlockBackendOn, HidesWhatTheCpuHides) {
         EXPECT_LT(less.cost.pixels, all.cost.pixels);
       }
       ExpectNear(block_->Linearize({*visible, *block.current}, level, pose), less,
-                 LargestGradient(less));
+                 LargestGradient(less), Stray());
     }
   }
 }
