@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "silt/cuda/device_needs.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <system_error>
+
+#include "silt/core/error.h"
+
 namespace silt::cuda {
 
 namespace {
@@ -37,6 +44,17 @@ std::string WhatLacks(const Device& device) {
   if (!device.cooperative_launch) return device.name + " cannot launch cooperative kernels";
   if (!device.memory_pools) return device.name + " has no memory pools";
   return "";
+}
+
+int LimitedBlocks(int resident, const char* limit) {
+  if (limit == nullptr) return resident;
+  int blocks = 0;
+  const char* const end = limit + std::strlen(limit);
+  const auto [stop, error] = std::from_chars(limit, end, blocks);
+  if (error != std::errc() || stop != end || blocks < 1) {
+    throw Error("SILT_CUDA_BLOCKS: '" + std::string(limit) + "' is not a number above 0");
+  }
+  return std::min(resident, blocks);
 }
 
 std::string OutOfMemoryText(std::size_t bytes) {

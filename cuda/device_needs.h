@@ -20,6 +20,10 @@ std::string WhyNoDevice(int driver_version, int toolkit_version);
 // What the tracker's kernels need and this device does not have; empty where it has all.
 std::string WhatLacks(const Device& device);
 
+// How many blocks are to run at once of those that a device can hold: so many, or fewer where a
+// limit is given as text (null: none). Throws silt::Error where that is not a number above 0.
+int LimitedBlocks(int resident, const char* limit);
+
 // Of memory that it does not have.
 std::string OutOfMemoryText(std::size_t bytes);
 

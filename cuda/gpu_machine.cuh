@@ -5,11 +5,13 @@
 #include <cuda_runtime.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
 #include "silt/cuda/block/block.h"
 #include "silt/cuda/check.cuh"
+#include "silt/cuda/device_needs.h"
 #include "silt/cuda/event_timer.cuh"
 #include "silt/cuda/group_kernel.cuh"
 #include "silt/cuda/stream.cuh"
@@ -74,7 +76,8 @@ class GpuMachine {
     Check(cudaGetLastError(), "starting a kernel");
   }
 
-  // How many blocks of a body's groups the device can run at once.
+  // How many blocks of a body's groups the device can run at once, or fewer if the environment has
+  // SILT_CUDA_BLOCKS: tools that watch each access bear with few blocks that wait for each other.
   template <typename Body>
   int ResidentBlocks() const {
     int device = 0, processors = 0, of_processor = 0;
@@ -84,7 +87,7 @@ class GpuMachine {
     Check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&of_processor, RunGroupsOf<Body>, kThreads,
                                                         0),
           "asking for the occupancy");
-    return processors * of_processor;
+    return LimitedBlocks(processors * of_processor, std::getenv("SILT_CUDA_BLOCKS"));
   }
 
   // How many alignments a group does in one launch at most: seconds of one kernel would freeze a

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "silt/core/error.h"
+
 namespace silt::cuda {
 namespace {
 
@@ -40,6 +42,15 @@ TEST(WhatLacks, NamesIt) {
   device = Good();
   device.memory_pools = false;
   EXPECT_EQ(WhatLacks(device), "A GPU has no memory pools");
+}
+
+TEST(LimitedBlocks, AreNoMoreThanTheDeviceHolds) {
+  EXPECT_EQ(LimitedBlocks(264, nullptr), 264);
+  EXPECT_EQ(LimitedBlocks(264, "8"), 8);
+  EXPECT_EQ(LimitedBlocks(4, "8"), 4);
+  for (const char* text : {"", "0", "-3", "8x", "many"}) {
+    EXPECT_THROW(LimitedBlocks(264, text), Error) << text;
+  }
 }
 
 TEST(OutOfMemoryText, TellsHowMuchAndWhatToDo) {

@@ -35,7 +35,8 @@ class GpuScript : public testing::Test {
     }
     fs::copy_file(fs::path(SILT_SOURCE_DIR) / "experiments/gpu", root_ / "experiments/gpu");
     std::ofstream(root_ / "sequence/frames.txt") << "0 0.color 0.depth\n";
-    Tool("tools/nvidia-smi", "case $* in *driver*) echo 580.65;; *) echo 'NVIDIA H200';; esac");
+    Tool("tools/nvidia-smi",
+         "case $* in *driver*) echo 580.65;; *cap*) echo 9.0;; *) echo 'NVIDIA H200';; esac");
     for (const char* tool : {"tools/cmake", "build/gpu/bin/cuda_tests", "build/gpu/bin/dense_tests",
                              "build/gpu/bin/silt-dense"}) {
       Tool(tool, "");
@@ -55,7 +56,9 @@ class GpuScript : public testing::Test {
   // Its exit code; what it has said is in out_.
   int Run(const std::string& arguments) {
     const std::string out = (root_ / "out").string();
-    const std::string command = "PATH=" + (root_ / "tools").string() + ":/usr/bin:/bin " +
+    fs::remove(root_ / "calls");
+    const std::string command = "CUDA_HOME=" + (root_ / "cuda").string() +
+                                " PATH=" + (root_ / "tools").string() + ":/usr/bin:/bin " +
                                 (root_ / "experiments/gpu").string() + " " + arguments + " > " +
                                 out + " 2>&1";
     const int status = std::system(command.c_str());
@@ -73,25 +76,53 @@ class GpuScript : public testing::Test {
 TEST_F(GpuScript, BuildsTestsAndMeasures) {
   EXPECT_EQ(Run(Sequence() + " --frames 3"), 0) << out_;
   const std::string json = (root_ / "experiments/results/gpu_nvidia_h200.json").string();
-  EXPECT_THAT(calls_, HasSubstr("-DSILT_DENSE_ONLY=ON -DSILT_CUDA=REQUIRED"));
-  EXPECT_THAT(calls_, HasSubstr("cuda_tests --gtest_brief=1\ndense_tests --gtest_brief=1\n"
-                                "silt-dense " +
-                                Sequence() +
-                                " --backend cuda --commit unknown, driver 580.65, sanitizer: none "
-                                "--json " +
-                                json + " --frames 3\n"));
-  EXPECT_THAT(out_, HasSubstr("no compute-sanitizer here"));
+  EXPECT_THAT(calls_, HasSubstr("-DSILT_DENSE_ONLY=ON -DSILT_CUDA=REQUIRED "
+                                "-DCMAKE_CUDA_ARCHITECTURES=90\n"));
+  EXPECT_THAT(calls_, HasSubstr("cuda_tests --gtest_brief=1\ndense_tests --gtest_brief=1\n"));
+  EXPECT_THAT(calls_, HasSubstr("silt-dense " + Sequence() + " --backend cuda --json " + json +
+                                " --commit unknown, driver 580.65, sanitizer: none --frames 3\n"));
+  EXPECT_THAT(out_, HasSubstr("no compute-sanitizer here: racecheck is left out"));
   EXPECT_THAT(out_, HasSubstr("Results: " + json));
 }
 
+// On PATH, or where a toolkit usually is.
 TEST_F(GpuScript, ChecksMemoryAndRacesWhereItCan) {
-  Tool("tools/compute-sanitizer", "");
-  EXPECT_EQ(Run(Sequence()), 0) << out_;
-  for (const char* tool : {"memcheck", "racecheck"}) {
-    EXPECT_THAT(calls_, HasSubstr("compute-sanitizer --tool " + std::string(tool) +
-                                  " --error-exitcode 1 "));
+  fs::create_directories(root_ / "cuda/bin");
+  for (const char* place : {"tools/compute-sanitizer", "cuda/bin/compute-sanitizer"}) {
+    Tool(place, "echo blocks $SILT_CUDA_BLOCKS");
+    EXPECT_EQ(Run(Sequence()), 0) << out_;
+    for (const char* tool : {"memcheck", "racecheck"}) {
+      EXPECT_THAT(calls_, HasSubstr("compute-sanitizer --tool " + std::string(tool) +
+                                    " --error-exitcode 1 "));
+    }
+    EXPECT_THAT(out_, HasSubstr("blocks 8"));
+    EXPECT_THAT(calls_, HasSubstr("sanitizer: memcheck racecheck"));
+    fs::remove(root_ / place);
   }
-  EXPECT_THAT(calls_, HasSubstr("sanitizer: memcheck racecheck"));
+}
+
+// Stages one by one, of which the last one knows what was checked before.
+TEST_F(GpuScript, GoesStageByStageWhereAsked) {
+  Tool("tools/compute-sanitizer", "");
+  const char* const first_calls[] = {"\ncmake -S", "\ncuda_tests --gtest",
+                                     "\ncompute-sanitizer --tool racecheck", "\nsilt-dense "};
+  int i = 0;
+  for (const char* stage : {"build", "test", "racecheck", "measure"}) {
+    EXPECT_EQ(Run(std::string("--only ") + stage + " " + Sequence()), 0) << out_;
+    for (const char* call : first_calls) {
+      EXPECT_EQ(calls_.find(call) != calls_.npos, call == first_calls[i]) << stage << calls_;
+    }
+    ++i;
+  }
+  EXPECT_THAT(calls_, HasSubstr("sanitizer: racecheck\n"));
+  EXPECT_EQ(Run("--only tests " + Sequence()), 1);
+  EXPECT_THAT(out_, HasSubstr("--only: 'tests' is none of build, test"));
+}
+
+TEST_F(GpuScript, BuildsForAllWhereTheDriverTellsNoCapability) {
+  Tool("tools/nvidia-smi", "case $* in *cap*) exit 1;; *) echo 'Old GPU';; esac");
+  EXPECT_EQ(Run("--only build " + Sequence()), 0) << out_;
+  EXPECT_THAT(calls_, Not(HasSubstr("ARCHITECTURES")));
 }
 
 TEST_F(GpuScript, MeasuresNothingWhereATestFails) {
