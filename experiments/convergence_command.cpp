@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "silt/core/atomic_file.h"
+#include "silt/core/error.h"
 #include "silt/core/parallel.h"
 #include "silt/experiments/commands.h"
 #include "silt/experiments/convergence_report.h"
@@ -36,6 +37,8 @@ constexpr int kFullResolutionShare = 4;
 struct Options {
   ExperimentBasics basics;
   int image = 1, pairs = 0, starts = 0;
+  std::vector<std::string> offsets;  // "4:2", cm and degrees; none: all series
+  std::string scheme = "both";
   int recovery_pairs = 0, trials = -1;
   RecoveryOptions recovery{{}, -1, -1, 0};  // nothing chosen
 };
@@ -45,8 +48,30 @@ struct Series {
   std::vector<PoseDifference> offsets;
 };
 
-std::vector<Series> AllSeries(bool quick) {
-  if (quick) return {{"distance and angle", {{0.01, 0.5}, {0.04, 2}, {0.16, 8}}}};
+// "4:2" is 4 cm and 2°.
+PoseDifference OffsetOf(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  double cm = 0, degrees = 0;
+  if (colon == text.npos || !CLI::detail::lexical_cast(text.substr(0, colon), cm) ||
+      !CLI::detail::lexical_cast(text.substr(colon + 1), degrees) || !(cm >= 0 && cm <= 1e4) ||
+      !(degrees >= 0 && degrees <= 180)) {
+    throw Error("--offset: '" + text +
+                "' is not CM:DEG, a distance in cm and an angle up to 180 degrees, as 4:2");
+  }
+  return {cm / 100, degrees};
+}
+
+bool Has(const Options& options, const char* scheme) {
+  return options.scheme == "both" || options.scheme == scheme;
+}
+
+std::vector<Series> AllSeries(const Options& options) {
+  if (!options.offsets.empty()) {
+    Series chosen{"chosen", {}};
+    for (const std::string& offset : options.offsets) chosen.offsets.push_back(OffsetOf(offset));
+    return {chosen};
+  }
+  if (options.basics.quick) return {{"distance and angle", {{0.01, 0.5}, {0.04, 2}, {0.16, 8}}}};
   Series distance{"distance", {}}, angle{"angle", {}}, both{"distance and angle", {}};
   for (const double cm : {0.5, 1.0, 2.0, 4.0, 6.0, 8.0, 12.0, 16.0}) {
     distance.offsets.push_back({cm / 100, 0});
@@ -123,7 +148,7 @@ std::vector<OdometryTrial> RunTrials(const Options& options, const World& world)
 
 std::vector<NamedSuccessRate> MeasureAll(const Options& options,
                                          const std::vector<PairAlignment>& pairs) {
-  const std::vector<Series> all = AllSeries(options.basics.quick);
+  const std::vector<Series> all = AllSeries(options);
   double total = 0;
   for (const Series& series : all) total += double(series.offsets.size());
   Progress progress(total);
@@ -132,10 +157,15 @@ std::vector<NamedSuccessRate> MeasureAll(const Options& options,
     for (const PoseDifference& offset : series.offsets) {
       ThrowIfInterrupted();
       RandomStarts starts{offset, options.starts, options.basics.seed};
-      rates.push_back({kPyramid, series.name, MeasureSuccessRate(pairs, starts, PyramidScheme())});
+      if (Has(options, "pyramid")) {
+        rates.push_back(
+            {kPyramid, series.name, MeasureSuccessRate(pairs, starts, PyramidScheme())});
+      }
       starts.count = std::max(1, options.starts / kFullResolutionShare);
-      rates.push_back({kFullResolution, series.name,
-                       MeasureSuccessRate(pairs, starts, FullResolutionScheme())});
+      if (Has(options, "full")) {
+        rates.push_back({kFullResolution, series.name,
+                         MeasureSuccessRate(pairs, starts, FullResolutionScheme())});
+      }
       progress.Advance(1, "random starts, " + series.name);
     }
   }
@@ -144,6 +174,7 @@ std::vector<NamedSuccessRate> MeasureAll(const Options& options,
 
 void Run(const Options& given, const Invocation& invocation) {
   const Options options = Resolved(given);
+  AllSeries(options);  // or says what is wrong, before anything takes long
   SetThreadCount(options.basics.threads);
   OutputFolder folder(options.basics.out);
   const World world = options.basics.Load();
@@ -165,6 +196,8 @@ void Run(const Options& given, const Invocation& invocation) {
                     {"reference_image", options.image},
                     {"pairs", options.pairs},
                     {"starts_per_pair", options.starts},
+                    {"offsets", options.offsets},
+                    {"scheme", options.scheme},
                     {"pair_gap_s", kPairGap_s},
                     {"presets", options.recovery.presets},
                     {"recovery_starts", options.recovery.starts},
@@ -232,13 +265,25 @@ void AddConvergenceExperiment(CLI::App& experiments, const Invocation& invocatio
   RequireInteger(command->add_option("--starts", options->starts,
                                      "Random starts per pair and offset; default: 8"),
                  1, 100000);
+  command->add_option("--offset", options->offsets,
+                      "CM:DEG from the truth for those starts; may be repeated; default: series of "
+                      "distances, angles and both");
+  command
+      ->add_option(
+          "--scheme", options->scheme,
+          "Of those starts: pyramid, full (full resolution only, a fourth of them) or both")
+      ->check(CLI::IsMember({"pyramid", "full", "both"}))
+      ->capture_default_str();
   AddRecoveryOptions(*command, *options);
   command->footer(
       "Images 1 and 10 at 20 fps are aligned from [R_true, 0.6 t_true], with the four-level\n"
       "pyramid and with the full resolution only; then from random starts around the truth. Then\n"
       "each preset's refinement alone, from up to and from exactly 10 cm and 5 deg, and 20 cm and\n"
       "10 deg, beside the truth; and OpenCV's test of its odometries.\n"
-      "Example: silt experiment convergence --out results/convergence");
+      "Examples: silt experiment convergence --out results/convergence\n"
+      "          100,000 starts at one offset, and nothing else of what takes long:\n"
+      "          silt experiment convergence --backend cuda --starts 100000 --offset 4:2\n"
+      "            --scheme pyramid --pairs 1 --recovery-starts 0 --trials 0 --out basin");
   command->callback([options, &invocation] { Run(*options, invocation); });
 }
 

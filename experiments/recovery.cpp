@@ -69,22 +69,22 @@ class ReadyPairs {
   SuccessRate Measure(const RandomStarts& starts) {
     std::vector<SE3d> truths;
     for (const PairAlignment& pair : alignments_) truths.push_back(pair.truth());
-    const AlignAllFrom all = [&](std::size_t pair, std::vector<SE3d> poses) {
-      for (SE3d& pose : poses) pose = Widened(pair, pose);
-      return alignments_[pair].AlignAll(poses, scheme_.alignment);
+    const AlignAllFrom all = [&](std::size_t pair, const std::vector<SE3d>& poses) {
+      return alignments_[pair].AlignAll(Widened(pair, poses), scheme_.alignment);
     };
     return MeasureSuccessRate(truths, starts, all);
   }
 
  private:
-  SE3d Widened(std::size_t pair, const SE3d& start) {
-    if (scheme_.name != kWideScheme) return start;
+  // Where the wide start leads from each of them, all at once.
+  std::vector<SE3d> Widened(std::size_t pair, std::vector<SE3d> poses) const {
+    if (scheme_.name != kWideScheme) return poses;
     const FramePair& frames = pairs_[pair];
     const tracker::HeldImages held{backend_, alignments_[pair].images()};
-    return wide_
-        .Estimate(
-            {keyframes_[pair], frames.current, currents_[pair], frames.camera, 0, 0, start, held})
-        .current_from_keyframe.value_or(start);
+    const auto found = wide_.FindFrom(
+        {keyframes_[pair], frames.current, currents_[pair], frames.camera, 0, 0, {}, held}, poses);
+    for (std::size_t i = 0; i < poses.size(); ++i) poses[i] = found[i].value_or(poses[i]);
+    return poses;
   }
 
   const std::vector<FramePair>& pairs_;

@@ -61,7 +61,8 @@ def success(folder, rows):
             axes.plot(x, [row["rate"] for row in mine], "o-", ms=4, color=colour, label=scheme)
             axes.fill_between(x, [row["rate_low"] for row in mine],
                               [row["rate_high"] for row in mine], color=colour, alpha=0.12, lw=0)
-        label = {"distance": "distance [cm]", "angle": "angle [deg]"}
+        label = {"distance": "distance [cm]", "angle": "angle [deg]",
+                 "chosen": "distance [cm], angles as chosen"}
         axes.set(xlabel=label.get(name, "distance [cm], with 0.5 deg/cm"), ylim=(-0.03, 1.03))
     grid[0][0].set_ylabel("recovered to 1 mm and 0.1 deg")
     legend_above_all(figure, grid[0][0])

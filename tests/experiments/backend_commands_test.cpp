@@ -152,6 +152,31 @@ TEST_P(BackendCommandsOn, MeasureTracking) {
   EXPECT_EQ(all[1]["manifest"]["config"]["bench"]["backend"], GetParam());
 }
 
+// Many starts at one offset, and no more than that.
+TEST(BackendCommands, ConvergenceFromChosenOffsetsAlone) {
+  const TestFolder folder;
+  const std::string command =
+      "experiment convergence --quick --scene studio --width 64 --starts 5 "
+      "--pairs 1 --scheme pyramid --recovery-starts 0 --trials 0 --out " +
+      (folder / "out").string();
+  const ProgramResult result = RunSilt(command + " --offset 4:2 --offset 0:1.5");
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json json = Json::parse(ReadText(folder / "out/convergence.json"));
+  const Json& rates = json["success_rates"];
+  ASSERT_EQ(rates.size(), 2u);
+  EXPECT_EQ(rates[0]["scheme"], "four-level pyramid");
+  EXPECT_DOUBLE_EQ(rates[0]["distance_m"], 0.04);
+  EXPECT_EQ(rates[0]["angle_deg"], 2);
+  EXPECT_EQ(rates[0]["starts"], 5);
+  EXPECT_EQ(rates[1]["distance_m"], 0);
+  EXPECT_TRUE(json["recovery"].empty());
+  for (const char* wrong : {"4", "4:", ":2", "4:2x", "-4:2", "4:400"}) {
+    const ProgramResult refused = RunSilt(command + " --offset " + wrong);
+    EXPECT_EQ(refused.exit_code, 1);
+    ExpectOneLineError(refused, "--offset");
+  }
+}
+
 // Starts that are aligned of what the backend holds.
 TEST_P(BackendCommandsOn, FollowTheSameCoarseStarts) {
   const TestFolder folder;
