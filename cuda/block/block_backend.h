@@ -19,7 +19,8 @@ namespace silt::cuda {
 
 // The tracker's backend whose kernels run in blocks of threads, on any machine that offers
 //   Array<T>(machine, size) with data() and size(),  Upload(values, array),  Download(array),
-//   Run(grid, body):
+//   Run(grid, body),  and for whole alignments (BlockAlignments)
+//   ResidentBlocks<Body>(),  kStartsOfGroup,  Timer,  RunGroups(groups, blocks, body, &timer):
 // a GPU, or a CPU that stands in for one. Sums have the same bits on both but for how they divide
 // and take roots; the order of addition depends on the size of the image alone.
 template <typename Machine>

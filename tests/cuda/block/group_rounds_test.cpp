@@ -52,7 +52,7 @@ template <int kGroups, int kBlocks>
 void ExpectAllMeet() {
   std::vector<PassOn::Group> groups(kGroups);
   for (PassOn::Group& group : groups) group.value.assign(2 * kBlocks, 0);
-  ThreadedMachine<kGroups * kBlocks>().RunGroups(kGroups, kBlocks, PassOn{&groups});
+  ThreadedMachine<kGroups * kBlocks>().RunGroups(kGroups, kBlocks, PassOn{&groups}, nullptr);
   for (const PassOn::Group& group : groups) {
     ASSERT_EQ(group.sums.size(), std::size_t(PassOn::kRounds) + 1);
     for (int round = 0; round <= PassOn::kRounds; ++round) {

@@ -44,7 +44,7 @@ struct ThreadedMachine : HostMachine {
   }
 
   template <typename Body>
-  double RunGroups(int groups, int blocks, const Body& body) const {
+  void RunGroups(int groups, int blocks, const Body& body, Timer*) const {
     std::vector<GroupBarrier<HostBlock::Counter>> barriers(static_cast<std::size_t>(groups));
     std::vector<std::thread> threads;
     for (int i = 0; i < groups * blocks; ++i) {
@@ -56,7 +56,6 @@ struct ThreadedMachine : HostMachine {
       });
     }
     for (std::thread& thread : threads) thread.join();
-    return 0;
   }
 };
 
