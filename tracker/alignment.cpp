@@ -42,6 +42,7 @@ AlignmentPlan PlanOf(const std::vector<ReferenceView>& references, const Current
   plan.rotation_only = options.rotation_only;
   plan.fit_brightness = options.affine_brightness;
   plan.depth_patch_px = options.depth_patch_px;
+  plan.max_disagreement = options.max_disagreement;
   plan.keep_log = options.keep_log;
   plan.robust_scale = options.robust_scale;
   plan.robust_gradient = options.robust_gradient;

@@ -9,6 +9,7 @@
 #include "silt/tracker/alignment_steps.h"
 #include "silt/tracker/kernel/ldlt6.h"
 #include "silt/tracker/normal_equations.h"
+#include "silt/tracker/residual_agreement.h"
 #include "silt/tracker/residual_norm.h"
 
 // The decisions of Algorithm 1, once for the CPU and for the GPU: what to compute next, given what
@@ -29,6 +30,7 @@ struct AlignmentPlan {
   int scale_rounds = 0;
   bool robust = false, use_depth = false, rotation_only = false, fit_brightness = false;
   double depth_patch_px = 1;
+  double max_disagreement = 0;  // 0: nothing is asked
   // Asks for the equations of a trial at once, as with a robust norm, instead of for its cost and
   // then for the equations where it is taken: the same results in fewer rounds.
   bool linearize_trials = false;
@@ -58,14 +60,18 @@ class LevenbergMarquardt {
 
   SILT_HOST_DEVICE Wanted wanted() const { return wanted_; }
   SILT_HOST_DEVICE int level() const { return level_; }  // as in the paper: 1 is the finest
-  SILT_HOST_DEVICE const SE3d& pose() const { return phase_ == Phase::kTrial ? trial_ : pose_; }
+  SILT_HOST_DEVICE const SE3d& pose() const {
+    if (phase_ == Phase::kAgreement) return agreement_.pose();
+    return phase_ == Phase::kTrial ? trial_ : pose_;
+  }
   SILT_HOST_DEVICE const ResidualNorm& norm() const { return norm_; }
   // Whether what is wanted comes first at its level: hidden pixels are to be found before.
   SILT_HOST_DEVICE bool starts_level() const { return phase_ == Phase::kStart; }
 
   // Of a cost, equations.cost alone counts.
   SILT_HOST_DEVICE void Take(const AlignmentPlan& plan, const NormalEquations& equations) {
-    took_ = phase_ != Phase::kTrial;
+    took_ = phase_ != Phase::kTrial && phase_ != Phase::kAgreement;
+    if (phase_ == Phase::kAgreement) return TakeAgreement(plan, equations);
     if (phase_ == Phase::kTrial) return Judge(plan, equations);
     equations_ = equations;
     if (phase_ == Phase::kRelinearize) return Propose(plan);
@@ -92,12 +98,14 @@ class LevenbergMarquardt {
   SILT_HOST_DEVICE const AlignmentStep& last_step() const { return last_step_; }
 
  private:
-  enum class Phase { kStart, kScale, kTrial, kRelinearize };
+  enum class Phase { kStart, kScale, kTrial, kRelinearize, kAgreement };
 
   // Fewer residuals than this say nothing about six parameters; a level that cannot have them is
   // skipped.
   static constexpr int kMinPixels = 30;
   static constexpr int kFirstScaleRounds = 4;
+  // A quarter of the size tells whether both kinds of residuals agree, in a sixteenth of the time.
+  static constexpr int kAgreementLevel = 3;
   // Residuals are not taken for smaller than these: rounding to 8 bits leaves the first. Depth that
   // is exact would outweigh all intensities, and with them what they alone can tell of a camera
   // before a plane, while interpolating it over curved surfaces is not exact: what rounding to the
@@ -155,7 +163,51 @@ class LevenbergMarquardt {
 
   SILT_HOST_DEVICE void EndLevel(const AlignmentPlan& plan) {
     summaries_[level_count_++].final_cost = cost_;
+    if (AsksForAgreement(plan)) return BeginAgreement(plan);
     NextLevel(plan);
+  }
+
+  SILT_HOST_DEVICE bool AsksForAgreement(const AlignmentPlan& plan) const {
+    bool finer = false;
+    for (int level = 1; level < level_; ++level)
+      finer = finer || plan.max_iterations[level - 1] > 0;
+    return finer && level_ == kAgreementLevel && plan.max_disagreement > 0 && norm_.use_depth &&
+           !plan.rotation_only;
+  }
+
+  SILT_HOST_DEVICE void BeginAgreement(const AlignmentPlan& plan) {
+    kept_ = norm_;
+    agreement_.Begin(pose_);
+    phase_ = Phase::kAgreement;
+    wanted_ = Wanted::kEquations;
+    WeighOneKind(plan);
+  }
+
+  SILT_HOST_DEVICE void WeighOneKind(const AlignmentPlan& plan) {
+    norm_.intensity.weight = agreement_.of_depth() ? 0 : 1 / Square(kept_.intensity, plan);
+    norm_.inverse_depth.weight = agreement_.of_depth() ? 1 / Square(kept_.inverse_depth, plan) : 0;
+  }
+
+  SILT_HOST_DEVICE void TakeAgreement(const AlignmentPlan& plan, const NormalEquations& equations) {
+    agreement_.Take(equations);
+    if (!agreement_.done()) return WeighOneKind(plan);
+    norm_ = kept_;
+    intensity_share_ = agreement_.IntensityShare(plan.max_disagreement);
+    LimitIntensities(plan);
+    NextLevel(plan);
+  }
+
+  // σ², of a kind of residuals.
+  SILT_HOST_DEVICE static double Square(const RobustBounds& bounds, const AlignmentPlan& plan) {
+    const double sigma = bounds.scale / plan.robust_scale;
+    return sigma * sigma;
+  }
+
+  SILT_HOST_DEVICE void LimitIntensities(const AlignmentPlan& plan) {
+    if (intensity_share_ == 0) return;
+    const double share =
+        intensity_share_ * norm_.inverse_depth.weight * Square(norm_.inverse_depth, plan);
+    norm_.intensity.weight = (share < 1 ? share : 1) / Square(norm_.intensity, plan);
   }
 
   // One iteration of Algorithm 1, up to the trial pose, unless the level is done.
@@ -284,9 +336,11 @@ class LevenbergMarquardt {
     const bool near = SetScale(plan, norm_.robust() ? equations_.intensity : squares,
                                kLeastIntensityScale, &norm_.intensity);
     const double least_depth = kLeastInverseDepthScale * double(1 << (level_ - 1));
-    return (!norm_.use_depth ||
-            SetScale(plan, equations_.inverse_depth, least_depth, &norm_.inverse_depth)) &&
-           near;
+    const bool all_near = (!norm_.use_depth || SetScale(plan, equations_.inverse_depth, least_depth,
+                                                        &norm_.inverse_depth)) &&
+                          near;
+    LimitIntensities(plan);
+    return all_near;
   }
 
   // A depth camera finds depth from patches of pixels, whose noise is alike: as many pixels as lie
@@ -317,7 +371,9 @@ class LevenbergMarquardt {
     return false;
   }
 
-  ResidualNorm norm_;
+  ResidualNorm norm_, kept_;
+  ResidualAgreement agreement_;
+  double intensity_share_ = 0;  // of the residuals' own weight; 0: as they are
   SE3d pose_, trial_;
   NormalEquations equations_;  // at pose_, but for a level's last iteration
   PhotometricCost cost_;       // at pose_

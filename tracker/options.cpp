@@ -44,6 +44,7 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.robust_scale", robust_scale, 0, 1e6);
   CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
   CheckRange("alignment.depth_patch_px", depth_patch_px, 1, 100);
+  CheckRange("alignment.max_disagreement", max_disagreement, 0, 1e9);
   CheckRange("alignment.scale_rounds", scale_rounds, 0, 100);
   CheckRange("alignment.covariance_factor", covariance_factor, 1e-6, 1e6);
   if (depth_residual && !(use_current_depth && robust_scale > 0)) {
@@ -105,6 +106,7 @@ TrackerOptions AccuratePreset() {
   options.alignment.robust_gradient = 8.0 / 255;
   options.alignment.depth_residual = true;
   options.alignment.depth_patch_px = 6;
+  options.alignment.max_disagreement = 60;
   options.alignment.covariance_factor = 2;
   options.alignment.min_update_norm = 2e-6;
   options.alignment.coarser_update_norm = 4;

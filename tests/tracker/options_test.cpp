@@ -95,6 +95,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "keyframes.min_overlap is 1.5; give a number from 0 to 1"},
         BadOption{"patch", [](TrackerOptions* o) { o->alignment.depth_patch_px = 0; },
                   "alignment.depth_patch_px is 0; give a number from 1 to 100"},
+        BadOption{"disagreement", [](TrackerOptions* o) { o->alignment.max_disagreement = -1; },
+                  "alignment.max_disagreement is -1"},
         BadOption{"stale", [](TrackerOptions* o) { o->keyframes.stale_share = 2; },
                   "keyframes.stale_share is 2; give a number from 0 to 1"},
         BadOption{"polish", [](TrackerOptions* o) { o->keyframes.polish_iterations = -1; },

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the silt authors
+// SPDX-License-Identifier: MIT
+
+// Colours that are registered to their depths, and colours that are not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analytic_room.h"
+#include "silt/core/random.h"
+#include "silt/tracker/alignment.h"
+#include "silt/tracker/cpu_backend.h"
+
+namespace silt::tracker {
+namespace {
+
+constexpr PinholeCamera kCamera{240.6, 240, 159.5, 119.5, 320, 240};
+
+// The intensity is that of a camera of another focal length.
+View Render(const SE3d& room_from_camera, double colour_zoom, std::uint64_t stream) {
+  PinholeCamera colour = kCamera;
+  colour.fx *= colour_zoom;
+  colour.fy *= colour_zoom;
+  View view{RenderRoom(room_from_camera, colour).intensity,
+            RenderRoom(room_from_camera, kCamera).depth_m};
+  const CounterRandom random(7, stream);
+  for (std::size_t i = 0; i < view.depth_m.size(); ++i) {
+    float& z = view.depth_m.data()[i];
+    z = float(1 / (1 / double(z) + 2e-3 * random.Normal(2 * i)));
+    view.intensity.data()[i] += float(0.004 * random.Normal(2 * i + 1));
+  }
+  return view;
+}
+
+// Root mean square over some motions, in metres.
+double Error(double colour_zoom, double max_disagreement) {
+  AlignmentOptions options = AccuratePreset().alignment;
+  options.max_disagreement = max_disagreement;
+  const auto backend = MakeCpuBackend();
+  double squares = 0;
+  for (int seed = 0; seed < 6; ++seed) {
+    const SE3d reference{Quaterniond::Exp({0.1, 0.3, 0}), {0.1, 0, -0.4}};
+    const SE3d current =
+        reference * SE3d::Exp({{0.02, 0.04 + 0.004 * seed, 0.01}, {0.03, -0.02, 0.01 * seed}});
+    const View a = Render(reference, colour_zoom, std::uint64_t(2 * seed));
+    const View b = Render(current, colour_zoom, std::uint64_t(2 * seed + 1));
+    const auto keyframe =
+        backend->MakeReference(a.intensity, a.depth_m, kCamera, options.Pyramids());
+    const auto frame = backend->MakeCurrent(b.intensity, b.depth_m, options.Pyramids());
+    const SE3d truth = current.Inverse() * reference;
+    const SE3d found = Align(*backend, {*keyframe, *frame}, truth, options).current_from_reference;
+    squares += std::pow(Distance(found, truth), 2) / 6;
+  }
+  return std::sqrt(squares);
+}
+
+TEST(ResidualAgreement, ColoursOfAnotherFocalLengthLoseWeight) {
+  const double bound = AccuratePreset().alignment.max_disagreement;
+  EXPECT_GT(bound, 0);
+  EXPECT_LT(Error(0.9, bound), 0.7 * Error(0.9, 0));
+}
+
+TEST(ResidualAgreement, RegisteredColoursKeepIt) {
+  EXPECT_EQ(Error(1, AccuratePreset().alignment.max_disagreement), Error(1, 0));
+}
+
+// Two kinds with H = I whose gradients alone lead to `apart` of the first parameter, and whose
+// stripes scatter by κ.
+double Share(double apart, double intensity_kappa, double depth_kappa) {
+  ResidualAgreement agreement;
+  agreement.Begin({});
+  while (!agreement.done()) {
+    const double kappa = agreement.of_depth() ? depth_kappa : intensity_kappa;
+    const double x = agreement.pose().Log().omega.x;
+    NormalEquations equations;
+    for (const int k : {0, 6, 11, 15, 18, 20}) {
+      equations.hessian[k] = 1;
+      equations.scatter[k] = kappa * (kScatterStripes - 1) / kScatterStripes;
+    }
+    equations.gradient[0] = agreement.of_depth() ? x : x - apart;
+    agreement.Take(equations);
+  }
+  return agreement.IntensityShare(20);
+}
+
+TEST(ResidualAgreement, BlamesTheIntensitiesAlone) {
+  // χ² = 0.1²/(κ_I + κ_Z).
+  EXPECT_EQ(Share(0.1, 4e-4, 2e-4), 0);
+  EXPECT_EQ(Share(0.1, 1e-4, 2e-4), 0);
+  // f·κ_I + κ_Z = 0.1²/6, by steps of a quarter.
+  const double share = Share(0.1, 2e-4, 1e-4), factor = 0.5 / share;
+  EXPECT_GT(factor, (0.01 / 6 - 1e-4) / 2e-4 * 0.99);
+  EXPECT_LT(factor, (0.01 / 6 - 1e-4) / 2e-4 * 1.26);
+}
+
+}  // namespace
+}  // namespace silt::tracker
