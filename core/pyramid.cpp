@@ -19,7 +19,7 @@ Image<float> HalvedIntensity(const Image<float>& intensity) {
   return half;
 }
 
-Image<float> HalvedDepth(const Image<float>& depth_m, float same_surface) {
+Image<float> HalvedDepth(const Image<float>& depth_m) {
   Image<float> half(depth_m.width() / 2, depth_m.height() / 2);
   for (int y = 0; y < half.height(); ++y) {
     const float* upper = depth_m.row(2 * y);
@@ -27,7 +27,7 @@ Image<float> HalvedDepth(const Image<float>& depth_m, float same_surface) {
     float* out = half.row(y);
     for (int x = 0; x < half.width(); ++x) {
       const int i = 2 * x;
-      out[x] = NearestSurface({upper[i], upper[i + 1], lower[i], lower[i + 1]}, same_surface);
+      out[x] = NearestSurface({upper[i], upper[i + 1], lower[i], lower[i + 1]});
     }
   }
   return half;

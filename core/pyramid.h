@@ -11,12 +11,11 @@ namespace silt {
 // of the result is Pinhole::Halved().
 Image<float> HalvedIntensity(const Image<float>& intensity);
 
-// The same grid for depth. Only the nearest surface in the block counts: measurements within
-// `same_surface` (relative) of the nearest one are averaged as inverse depths, which is exact for a
-// plane; mixing over an edge would invent a surface between the two. 0: no measurement in the
-// block.
-inline constexpr float kSameSurface = 0.05f;
-Image<float> HalvedDepth(const Image<float>& depth_m, float same_surface = kSameSurface);
+// The same grid for depth. Only the nearest surface in the block counts: measurements that are no
+// depth jump (depth_jump.h) away from the nearest one are averaged as inverse depths, which is
+// exact for a plane; mixing over an edge would invent a surface between the two. 0: no measurement
+// in the block.
+Image<float> HalvedDepth(const Image<float>& depth_m);
 
 // A measurement is a finite, positive depth.
 SILT_HOST_DEVICE inline bool IsMeasured(float depth_m) { return depth_m > 0 && depth_m < 1e6f; }

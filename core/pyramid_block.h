@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "silt/core/depth_jump.h"
 #include "silt/core/host_device.h"
 #include "silt/core/pyramid.h"
 
@@ -13,8 +14,8 @@ SILT_HOST_DEVICE inline float MeanOfBlock(float v00, float v10, float v01, float
 }
 
 // Mean inverse depth of those of the four that lie on the nearest surface; 0 where none is
-// measured.
-SILT_HOST_DEVICE inline float NearestSurface(const float (&block_m)[4], float same_surface) {
+// measured. No two of them are a jump apart, as none is from the nearest.
+SILT_HOST_DEVICE inline float NearestSurface(const float (&block_m)[4]) {
   float nearest = 0;
   for (const float z : block_m) {
     if (IsMeasured(z) && (nearest == 0 || z < nearest)) nearest = z;
@@ -22,7 +23,7 @@ SILT_HOST_DEVICE inline float NearestSurface(const float (&block_m)[4], float sa
   float sum = 0;
   int count = 0;
   for (const float z : block_m) {
-    if (!IsMeasured(z) || z > nearest * (1 + same_surface)) continue;
+    if (!IsMeasured(z) || IsDepthJump(nearest, z)) continue;
     sum += 1 / z;
     ++count;
   }

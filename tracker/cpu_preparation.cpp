@@ -74,14 +74,14 @@ void CpuPreparation::MakeRows(const Source& source, const Buffers& buffers, int 
     const int first = begin >> level, last = (end == height ? height : end) >> level;
     float* const half = DataOf(buffers.intensity[level]);
     if (level > 1 || intensity) {
-      kernels_.halve_intensity({intensity, half, width >> (level - 1), 0}, first, last);
+      kernels_.halve_intensity({intensity, half, width >> (level - 1)}, first, last);
     } else {
       kernels_.halve_gray({&source.rgb->data()->r, half, width}, first, last);
     }
     intensity = half;
     if (!source.depth_m) continue;
     float* const half_m = DataOf(buffers.depth_m[level]);
-    kernels_.halve_depth({depth_m, half_m, width >> (level - 1), kSameSurface}, first, last);
+    kernels_.halve_depth({depth_m, half_m, width >> (level - 1)}, first, last);
     depth_m = half_m;
   }
 }
@@ -104,7 +104,7 @@ CpuPyramid CpuPreparation::Depth(const Image<float>& finest_m, int levels) const
   for (int level = 1; level < levels; ++level) {
     const Image<float>& fine = *pyramid.back();
     const Buffer half = Take(fine.width() / 2, fine.height() / 2);
-    const simd::HalvedView view{fine.data(), half->data(), fine.width(), kSameSurface};
+    const simd::HalvedView view{fine.data(), half->data(), fine.width()};
     ForTiles(half->width(), half->height(), kTileRows,
              [&](int begin, int end) { kernels_.halve_depth(view, begin, end); });
     pyramid.push_back(half);

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "silt/core/color.h"
+#include "silt/core/depth_jump.h"
 #include "silt/core/pyramid_block.h"
 #include "silt/cuda/block/block.h"
-#include "silt/tracker/kernel/depth_edge.h"
 #include "silt/tracker/levenberg_marquardt.h"
 
 // Bodies that make pyramids (core/pyramid.h, tracker/depth_edges.h), for ForEach over the pixels
@@ -48,7 +48,7 @@ struct HalveDepth {
   SILT_HOST_DEVICE void operator()(int i) const {
     const float* upper = fine_m + 2 * (i / width) * fine_width + 2 * (i % width);
     const float* lower = upper + fine_width;
-    half_m[i] = NearestSurface({upper[0], upper[1], lower[0], lower[1]}, kSameSurface);
+    half_m[i] = NearestSurface({upper[0], upper[1], lower[0], lower[1]});
   }
 };
 
@@ -59,7 +59,6 @@ struct MarkEdges {
   unsigned char* edge;
 
   SILT_HOST_DEVICE void operator()(int i) const {
-    using tracker::kernel::IsDepthJump;
     const int x = i % width, y = i / width;
     const float z = depth_m[i];
     edge[i] = (x > 0 && IsDepthJump(depth_m[i - 1], z)) ||

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "silt/core/camera.h"
+#include "silt/core/depth_jump.h"
 #include "silt/core/random.h"
 
 namespace silt {
@@ -77,8 +78,16 @@ TEST(PyramidTest, DepthOfAnEdgeIsThatOfTheNearSide) {
 }
 
 TEST(PyramidTest, DepthTakesTheMeanOfTheInverse) {
-  EXPECT_FLOAT_EQ(HalvedBlockDepth(1.00f, 1.01f, 1.02f, 1.04f),
-                  4 / (1 / 1.00f + 1 / 1.01f + 1 / 1.02f + 1 / 1.04f));
+  EXPECT_FLOAT_EQ(HalvedBlockDepth(1.00f, 1.01f, 1.02f, 1.03f),
+                  4 / (1 / 1.00f + 1 / 1.01f + 1 / 1.02f + 1 / 1.03f));
+}
+
+// A step that is left out beside as an edge is no surface to average over, and a smaller one is.
+TEST(PyramidTest, DepthTakesForAnEdgeWhatIsADepthJump) {
+  EXPECT_TRUE(IsDepthJump(1, 1.04f));
+  EXPECT_FLOAT_EQ(HalvedBlockDepth(1.04f, 1, 1.04f, 1), 1);
+  EXPECT_FALSE(IsDepthJump(1, 1.02f));
+  EXPECT_FLOAT_EQ(HalvedBlockDepth(1.02f, 1, 1.02f, 1), 2 / (1 / 1.02f + 1));
 }
 
 TEST(PyramidTest, DepthPassesOverWhatIsNotMeasured) {
@@ -87,7 +96,7 @@ TEST(PyramidTest, DepthPassesOverWhatIsNotMeasured) {
   EXPECT_EQ(HalvedBlockDepth(0, kNaN, -kInfinity, -2), 0);
 }
 
-// Whatever the block, the result lies between its nearest measurement and 5 % beyond.
+// Whatever the block, the result lies between its nearest measurement and what is on its surface.
 TEST(PyramidTest, DepthNeverMixesAnEdge) {
   Image<float> depth_m(128, 128);
   const CounterRandom random(5);

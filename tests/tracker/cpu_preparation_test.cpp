@@ -20,7 +20,7 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Surfaces at several depths in patches, with holes of every kind.
+// Surfaces at several depths in patches, some rough enough for jumps, with holes of every kind.
 Image<float> PatchyDepth(int width, int height) {
   const CounterRandom patches(6), texture(7), dropped(8), kind(9);
   const float holes[] = {0, kNaN, kInfinity, -1, 1e6f};
@@ -29,7 +29,7 @@ Image<float> PatchyDepth(int width, int height) {
     for (int x = 0; x < width; ++x) {
       const std::uint64_t at = std::uint64_t(y) * 100000 + std::uint64_t(x);
       const std::uint64_t patch = std::uint64_t(y / 11) * 1000 + std::uint64_t(x / 13);
-      depth_m(x, y) = float(1 + 3 * patches.Uniform(patch) + 0.01 * texture.Uniform(at));
+      depth_m(x, y) = float(1 + 3 * patches.Uniform(patch) + 0.04 * texture.Uniform(at));
       if (dropped.Uniform(at) < 0.01) depth_m(x, y) = holes[int(5 * kind.Uniform(at))];
     }
   }

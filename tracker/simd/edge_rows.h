@@ -4,9 +4,9 @@
 
 #include <limits>
 
+#include "silt/core/depth_jump.h"
 #include "silt/tracker/simd/batch.h"
 // The kernels use what batch.h declares.
-#include "silt/tracker/kernel/depth_edge.h"
 #include "silt/tracker/kernel/warp.h"
 #include "silt/tracker/simd/preparation.h"
 #include "silt/tracker/simd/row_access.h"
@@ -75,7 +75,7 @@ class EdgeRows {
     return JumpsBeside(here + 1, above + 1, below + 1);
   }
 
-  // 1 where kernel::IsDepthJump of a depth and one of its four neighbours.
+  // 1 where IsDepthJump of a depth and one of its four neighbours.
   [[gnu::always_inline]] static Batch JumpsBeside(const float* here, const float* above,
                                                   const float* below) {
     const Batch z = Batch::load_unaligned(here);
@@ -85,7 +85,7 @@ class EdgeRows {
     return Select(even, Batch(0.0f), Batch(1.0f));
   }
   [[gnu::always_inline]] static kernel::Mask<Batch> Even(const Batch& a, const Batch& b) {
-    return xsimd::abs(a - b) <= Batch(kernel::kDepthJump) * xsimd::min(a, b);
+    return xsimd::abs(a - b) <= Batch(kDepthJump) * xsimd::min(a, b);
   }
 
   static int KeepRow(const EdgeView& view, int y) {

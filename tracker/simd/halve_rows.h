@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "silt/core/depth_jump.h"
 #include "silt/tracker/simd/batch.h"
 // The kernels use what batch.h declares.
 #include "silt/tracker/kernel/warp.h"
@@ -24,9 +25,8 @@ class HalveRows {
   }
 
   static void Depth(const HalvedView& view, int begin, int end) {
-    const Batch ratio(1 + view.same_surface);
-    Rows(view, begin, end, [&](const Pair& upper, const Pair& lower) {
-      return NearestSurface({upper.even, upper.odd, lower.even, lower.odd}, ratio);
+    Rows(view, begin, end, [](const Pair& upper, const Pair& lower) {
+      return NearestSurface({upper.even, upper.odd, lower.even, lower.odd});
     });
   }
 
@@ -59,14 +59,14 @@ class HalveRows {
     return Pair::Of(Access::Load(row, 2 * x, width), Access::Load(row, 2 * x + kBatch, width));
   }
 
-  // Mean inverse depth of those that are within the ratio to the nearest; 0 where none is measured.
-  [[gnu::always_inline]] static Batch NearestSurface(const Block& block, const Batch& ratio) {
+  // Mean inverse depth of those that are no jump away from the nearest; 0 where none is measured.
+  [[gnu::always_inline]] static Batch NearestSurface(const Block& block) {
     const Batch zero(0.0f), one(1.0f), infinity(std::numeric_limits<float>::infinity());
     Batch nearest = infinity, sum = zero, count = zero;
     for (const Batch& z : block.z) nearest = xsimd::min(nearest, Select(Measured(z), z, infinity));
-    const Batch farthest = nearest * ratio;
+    const Batch jump = Batch(kDepthJump) * nearest;
     for (const Batch& z : block.z) {
-      const auto counts = Measured(z) && z <= farthest;
+      const auto counts = Measured(z) && z - nearest <= jump;
       sum = sum + Select(counts, one / Select(counts, z, one), zero);
       count = count + Select(counts, one, zero);
     }

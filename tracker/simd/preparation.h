@@ -17,8 +17,7 @@ struct GrayView {
 struct HalvedView {
   const float* fine;
   float* half;
-  int width;           // of the fine one
-  float same_surface;  // of depths alone
+  int width;  // of the fine one
 };
 
 // A level's depth, and what is kept of it and of the intensity away from its edges.
