@@ -28,6 +28,18 @@ void AddTimes(const AlignmentTimes& times, StageTimes* sum) {
   sum->update_ms += times.update_ms;
 }
 
+bool LeavesLessDoubt(const TrackedFrame& a, const TrackedFrame& b, const TrustOptions& trust) {
+  if (a.status != b.status) return a.status < b.status;  // as TrackingStatus orders them
+  return Doubt(a.evidence, trust) < Doubt(b.evidence, trust);
+}
+
+// The time that another try took stays.
+void RestoreButTimes(const TrackedFrame& before, TrackedFrame* result) {
+  const StageTimes times = result->times;
+  *result = before;
+  result->times = times;
+}
+
 }  // namespace
 
 KeyframeTracker::KeyframeTracker(const PinholeCamera& camera, const TrackerOptions& options,
@@ -102,12 +114,26 @@ void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, Tracked
   const SE3d start = expected.Inverse() * keyframe.world_from_camera;
   if (options_.always_initialize) Initialize(keyframe.id, start, frame, result);
   Refine(nearest, *current, result->initial.current_from_keyframe.value_or(start), result);
+  if (result->status == TrackingStatus::kDoubtful) TryAgain(nearest, start, frame, result);
   if (result->status == TrackingStatus::kLost) {
     velocity_.reset();
     Relocalize(frame, *current, expected, result);
   } else {
     Accept(result);
   }
+}
+
+// A doubtful frame whose images do not agree well, from where the initializer says, which has not
+// been asked yet; of both poses the one that leaves less doubt is kept.
+void KeyframeTracker::TryAgain(const std::vector<int>& nearest, const SE3d& expected,
+                               const Frame& frame, TrackedFrame* result) {
+  if (options_.always_initialize || Disagreement(result->evidence, options_.trust) <= 1) return;
+  const TrackedFrame before = *result;
+  if (Initialize(nearest.front(), expected, frame, result)) {
+    Refine(nearest, *current_, *result->initial.current_from_keyframe, result);
+    if (LeavesLessDoubt(*result, before, options_.trust)) return;
+  }
+  RestoreButTimes(before, result);
 }
 
 // Tries one keyframe after the other, from where the features say or from where it may be; the
@@ -128,9 +154,7 @@ void KeyframeTracker::Relocalize(const Frame& frame, const CurrentPyramid& curre
     velocity_.reset();
     return;
   }
-  const StageTimes times = result->times;
-  *result = before;
-  result->times = times;
+  RestoreButTimes(before, result);
 }
 
 // The nearest keyframe as seen from where the camera is expected; those that look most like the

@@ -49,8 +49,9 @@ struct TrackedFrame {
 // §3: the camera's pose, frame by frame, against the nearest of the keyframes collected so far.
 class KeyframeTracker {
  public:
-  // No initializer: each alignment starts from the last pose. Throws silt::Error for invalid
-  // options.
+  // Where the initializer does not give every frame its start, it is asked where an alignment from
+  // elsewhere is lost or leaves images that hardly agree. No initializer: each alignment starts
+  // from the last pose. Throws silt::Error for invalid options.
   KeyframeTracker(const PinholeCamera& camera, const TrackerOptions& options,
                   std::shared_ptr<const Backend> backend, std::unique_ptr<Initializer> initializer,
                   const SE3d& first_world_from_camera = {});
@@ -105,6 +106,8 @@ class KeyframeTracker {
   std::unique_ptr<ReferencePyramid> MakeReference(const Frame& frame) const;
   void Refine(const std::vector<int>& nearest, const CurrentPyramid& current, const SE3d& initial,
               TrackedFrame* result);
+  void TryAgain(const std::vector<int>& nearest, const SE3d& expected, const Frame& frame,
+                TrackedFrame* result);
   void Relocalize(const Frame& frame, const CurrentPyramid& current, const SE3d& expected,
                   TrackedFrame* result);
   std::vector<Candidate> Candidates(int nearest, const Frame& frame, const SE3d& expected);

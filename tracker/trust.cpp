@@ -3,6 +3,7 @@
 #include "silt/tracker/trust.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -54,6 +55,12 @@ std::optional<std::string> Objection(const PoseEvidence& e, const Bounds& bounds
   return std::nullopt;
 }
 
+// Fails for NaN: what is not known is in doubt.
+double Ratio(double value, double bound) {
+  if (bound > 0 && value <= HUGE_VAL) return value / bound;
+  return value <= bound ? 1 : HUGE_VAL;
+}
+
 }  // namespace
 
 const char* Name(TrackingStatus status) {
@@ -100,6 +107,17 @@ Judgement Judge(const PoseEvidence& evidence, const TrustOptions& options) {
     return {TrackingStatus::kDoubtful, "doubtful: " + *why};
   }
   return {TrackingStatus::kTracked, ""};
+}
+
+double Doubt(const PoseEvidence& e, const TrustOptions& options) {
+  return std::max({Disagreement(e, options), Ratio(options.doubtful_overlap, e.overlap),
+                   Ratio(e.uncertainty_rad, options.doubtful_uncertainty_rad)});
+}
+
+double Disagreement(const PoseEvidence& e, const TrustOptions& options) {
+  return std::max({Ratio(e.unexplained_variance, options.doubtful_unexplained_variance),
+                   Ratio(e.depth_disagreement, options.doubtful_depth_disagreement),
+                   Ratio(1 - e.inlier_ratio, 1 - options.doubtful_inlier_ratio)});
 }
 
 }  // namespace silt::tracker

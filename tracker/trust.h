@@ -12,7 +12,7 @@
 
 namespace silt::tracker {
 
-// A doubtful pose is taken, though nothing is built on it; a lost frame has none.
+// The best first. A doubtful pose is taken, though nothing is built on it; a lost frame has none.
 enum class TrackingStatus { kTracked, kDoubtful, kLost };
 
 // "tracked", "doubtful", "lost".
@@ -38,5 +38,12 @@ struct Judgement {
 };
 
 Judgement Judge(const PoseEvidence& evidence, const TrustOptions& options);
+
+// How far the evidence reaches to what makes it doubtful, as the largest of the ratios: above 1
+// where it does. Of two doubtful poses, the one with less is to be preferred.
+double Doubt(const PoseEvidence& evidence, const TrustOptions& options);
+// The same of how well the aligned images agree alone, which tells of a pose that is wrong; overlap
+// and uncertainty tell of images that determine little, wherever an alignment starts.
+double Disagreement(const PoseEvidence& evidence, const TrustOptions& options);
 
 }  // namespace silt::tracker

@@ -78,6 +78,68 @@ TEST_P(OwnPreset, AsksTheInitializerWhereLost) {
   EXPECT_LT(Distance(tracked.world_from_camera, TruePose(19)), 1e-2);
 }
 
+// What is made of a frame that is expected half a metre off, by a tracker that comes no nearer from
+// there and calls nothing lost, with an initializer that gives this answer.
+TrackedFrame DoubtfulFrame(TrackerOptions options, const std::optional<SE3d>& answer, int* calls) {
+  auto initializer = std::make_unique<FrameInitializer>();
+  initializer->calls = calls;
+  initializer->answer = answer;
+  options.alignment.max_iterations = {1};
+  options.trust.max_unexplained_variance = options.trust.max_depth_disagreement = 1e6;
+  options.trust.max_uncertainty_rad = 1e6;
+  options.trust.min_inlier_ratio = 0;
+  KeyframeTracker tracker = MakeTracker(std::move(initializer), options);
+  tracker.Track(RoomFrame(TruePose(0), 0));
+  return tracker.Track(RoomFrame(TruePose(2), 0.1), TruePose(2) * SE3d::Exp({{}, {0.5, 0, 0}}));
+}
+
+TEST_P(OwnPreset, ADoubtfulFrameIsTriedAgainFromTheInitializersStart) {
+  int calls = 0;
+  const SE3d truth = TruePose(2).Inverse() * TruePose(0);
+  const TrackedFrame doubtful = DoubtfulFrame(GetParam(), {}, &calls);
+  EXPECT_EQ(calls, 1);
+  ASSERT_EQ(doubtful.status, TrackingStatus::kDoubtful) << doubtful.message;
+  const TrackedFrame tracked = DoubtfulFrame(GetParam(), truth, &calls);
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(tracked.status, TrackingStatus::kTracked) << tracked.message;
+  EXPECT_LT(Distance(tracked.world_from_camera, TruePose(2)), 4e-3);
+  EXPECT_EQ(tracked.initial.inliers, 40);
+}
+
+// A start that leads to more doubt, or nowhere, changes nothing; every start counts for a tracker
+// that takes it from the initializer anyway.
+TEST_P(OwnPreset, TheLesserDoubtIsKept) {
+  int calls = 0;
+  const TrackedFrame alone = DoubtfulFrame(GetParam(), {}, &calls);
+  for (const double off_m : {-0.9, 30.0}) {
+    const SE3d wrong = (TruePose(2) * SE3d::Exp({{}, {off_m, 0, 0}})).Inverse() * TruePose(0);
+    const TrackedFrame kept = DoubtfulFrame(GetParam(), wrong, &calls);
+    EXPECT_EQ(kept.status, TrackingStatus::kDoubtful);
+    EXPECT_EQ(kept.message, alone.message);
+    EXPECT_EQ(Distance(kept.world_from_camera, alone.world_from_camera), 0) << off_m;
+    EXPECT_EQ(kept.evidence.unexplained_variance, alone.evidence.unexplained_variance);
+  }
+  EXPECT_EQ(calls, 3);
+  TrackerOptions always = GetParam();
+  always.always_initialize = true;
+  DoubtfulFrame(always, {}, &calls);
+  EXPECT_EQ(calls, 4);
+}
+
+// No start makes images tell more than they do.
+TEST_P(OwnPreset, AnUncertainFrameIsNotTriedAgain) {
+  int calls = 0;
+  auto initializer = std::make_unique<FrameInitializer>();
+  initializer->calls = &calls;
+  TrackerOptions options = GetParam();
+  options.alignment.max_iterations.pop_back();
+  options.trust.doubtful_uncertainty_rad = 1e-9;
+  KeyframeTracker tracker = MakeTracker(std::move(initializer), options);
+  tracker.Track(RoomFrame(TruePose(0), 0));
+  EXPECT_EQ(tracker.Track(RoomFrame(TruePose(1), 0.1)).status, TrackingStatus::kDoubtful);
+  EXPECT_EQ(calls, 0);
+}
+
 // A walk past several keyframes, darkness, and back where it began: the nearest keyframe is not the
 // one to ask, and nobody tells where to start.
 TEST_P(OwnPreset, FindsItsWayBackToAnyKeyframe) {

@@ -63,12 +63,28 @@ TEST(Trust, GoodEvidenceIsTrackedByEveryPreset) {
   }
 }
 
+// Above 1 just where the judgement is not that all is well, and more the worse the evidence is.
+TEST_P(BadEvidence, DoubtGrowsWithIt) {
+  const TrustOptions options = AccuratePreset().trust;
+  EXPECT_LE(Doubt(kGood, options), 1);
+  EXPECT_LE(Disagreement(kGood, options), Doubt(kGood, options));
+  PoseEvidence doubtful = kGood, worse = kGood;
+  doubtful.*GetParam().of = GetParam().doubtful;
+  worse.*GetParam().of = GetParam().lost;
+  EXPECT_GT(Doubt(doubtful, options), 1);
+  EXPECT_GT(Doubt(worse, options), Doubt(doubtful, options));
+  worse.*GetParam().of = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_GT(Doubt(worse, options), Doubt(doubtful, options));
+}
+
 TEST(Trust, LittleOverlapIsDoubtful) {
   PoseEvidence evidence = kGood;
   evidence.overlap = 0.2;
   const Judgement judgement = Judge(evidence, {});
   EXPECT_EQ(judgement.status, TrackingStatus::kDoubtful);
   EXPECT_EQ(judgement.message, "doubtful: 20 % of the keyframe is seen");
+  EXPECT_NEAR(Doubt(evidence, {}), 1.5, 1e-12);
+  EXPECT_LE(Disagreement(evidence, {}), 1);
 }
 
 TEST(Trust, StatusesHaveNames) {
