@@ -17,7 +17,7 @@
 namespace silt::tracker {
 namespace {
 
-AlignmentPlan PlanOf(const std::vector<ReferenceView>& references, const CurrentPyramid& current,
+AlignmentPlan PlanOf(const ReferenceViews& references, const CurrentPyramid& current,
                      const AlignmentOptions& options) {
   SILT_CHECK(options.levels() <= kMaxPyramidLevels);
   AlignmentPlan plan;
@@ -56,7 +56,7 @@ AlignmentPlan PlanOf(const std::vector<ReferenceView>& references, const Current
 // Computes what the optimizer wants, on any backend.
 class Evaluation {
  public:
-  Evaluation(const Backend& backend, const std::vector<ReferenceView>& references,
+  Evaluation(const Backend& backend, const ReferenceViews& references,
              const CurrentPyramid& current, bool exclude_hidden)
       : backend_(backend),
         references_(references),
@@ -121,14 +121,14 @@ class Evaluation {
   }
 
   const Backend& backend_;
-  const std::vector<ReferenceView>& references_;
+  const ReferenceViews& references_;
   const CurrentPyramid& current_;
   const bool exclude_hidden_;
-  std::vector<std::unique_ptr<ReferencePyramid>> visible_;  // the references, less hidden pixels
-  std::vector<Brightness> brightness_, fitted_;             // of the references
+  PooledVector<std::unique_ptr<ReferencePyramid>> visible_;  // the references, less hidden pixels
+  PooledVector<Brightness> brightness_, fitted_;             // of the references
 };
 
-AlignmentJob JobOf(const Backend& backend, const std::vector<ReferenceView>& references,
+AlignmentJob JobOf(const Backend& backend, const ReferenceViews& references,
                    const CurrentPyramid& current, const SE3d& initial,
                    const AlignmentOptions& options) {
   SILT_CHECK(!references.empty());
@@ -175,7 +175,7 @@ AlignmentResult StepByStep(const Backend& backend, const AlignmentJob& job,
 
 }  // namespace
 
-AlignmentResult Align(const Backend& backend, const std::vector<ReferenceView>& references,
+AlignmentResult Align(const Backend& backend, const ReferenceViews& references,
                       const CurrentPyramid& current, const SE3d& initial,
                       const AlignmentOptions& options) {
   const AlignmentJob job = JobOf(backend, references, current, initial, options);
@@ -201,7 +201,7 @@ AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d&
 std::vector<AlignmentResult> AlignBatch(const Backend& backend,
                                         const std::vector<AlignmentStart>& starts,
                                         const AlignmentOptions& options) {
-  std::vector<AlignmentJob> jobs;
+  AlignmentJobs jobs;
   for (const AlignmentStart& start : starts) {
     jobs.push_back(JobOf(backend, {{start.reference, {}}}, start.current, start.initial, options));
     jobs.back().judged_level = -1;

@@ -25,7 +25,7 @@ struct AlignmentResult {
   bool ok = false;
   std::string failure;          // one line where not ok
   SE3d current_from_reference;  // finite always; the initial pose where not ok
-  std::vector<AlignmentLevel> levels;
+  PooledVector<AlignmentLevel> levels;
   std::vector<AlignmentStep> log;  // where options.keep_log
   AlignmentTimes times;
   // The residuals' own scales where the norm is robust, else 0: σ of the intensity, and of the
@@ -50,7 +50,7 @@ struct AlignmentResult {
 // references together. A left update of current_from_anchor is one of every current_from_reference
 // too, so that their equations add up. Fails, without an exception, where the images share too few
 // pixels or the equations have no finite solution. The result's pose is current_from_anchor.
-AlignmentResult Align(const Backend& backend, const std::vector<ReferenceView>& references,
+AlignmentResult Align(const Backend& backend, const ReferenceViews& references,
                       const CurrentPyramid& current, const SE3d& initial,
                       const AlignmentOptions& options);
 // With one reference, which is the anchor.

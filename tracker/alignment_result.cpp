@@ -68,7 +68,7 @@ Covariance6 CovarianceOf(const LevenbergMarquardt& optimizer, const AlignmentOpt
 }  // namespace
 
 AlignmentResult ResultOf(const LevenbergMarquardt& optimizer, const AlignmentPlan& plan,
-                         const std::vector<PyramidLevel>& levels, const AlignmentOptions& options) {
+                         const PyramidLevels& levels, const AlignmentOptions& options) {
   AlignmentResult result;
   for (int i = 0; i < optimizer.level_count(); ++i) {
     AlignmentLevel summary = optimizer.level_summary(i);

@@ -12,6 +12,6 @@ namespace silt::tracker {
 
 // What an optimizer that wants nothing any more has found, for pyramids of these levels.
 AlignmentResult ResultOf(const LevenbergMarquardt& optimizer, const AlignmentPlan& plan,
-                         const std::vector<PyramidLevel>& levels, const AlignmentOptions& options);
+                         const PyramidLevels& levels, const AlignmentOptions& options);
 
 }  // namespace silt::tracker

@@ -9,6 +9,7 @@
 #include "silt/core/camera.h"
 #include "silt/core/color.h"
 #include "silt/core/image.h"
+#include "silt/core/memory_pool.h"
 #include "silt/core/se3.h"
 #include "silt/tracker/levenberg_marquardt.h"
 #include "silt/tracker/normal_equations.h"
@@ -22,15 +23,17 @@ struct PyramidLevel {
   int measured_pixels = 0;  // with a depth; a level may have none, or be empty
 };
 
+using PyramidLevels = PooledVector<PyramidLevel>;
+
 // What a backend keeps of a keyframe: its intensity and depth at every level, level 0 the finest.
 // Immutable. Each backend derives its own and takes no other's.
 class ReferencePyramid {
  public:
   virtual ~ReferencePyramid() = default;
-  const std::vector<PyramidLevel>& levels() const { return levels_; }
+  const PyramidLevels& levels() const { return levels_; }
 
  protected:
-  std::vector<PyramidLevel> levels_;
+  PyramidLevels levels_;
 };
 
 // The same of the current image, whose depth may be missing.
@@ -63,10 +66,12 @@ struct ReferenceView {
   SE3d anchor_from_reference;
 };
 
+using ReferenceViews = PooledVector<ReferenceView>;
+
 // A whole alignment, for backends that can run it by themselves.
 struct AlignmentJob {
   AlignmentPlan plan;
-  std::vector<ReferenceView> references;
+  ReferenceViews references;
   const CurrentPyramid& current;
   bool exclude_hidden = false;
   SE3d initial;
@@ -75,6 +80,8 @@ struct AlignmentJob {
   int judged_level = -1;
   ResidualNorm judged_norm;
 };
+
+using AlignmentJobs = PooledVector<AlignmentJob>;
 
 struct FinishedAlignment {
   LevenbergMarquardt optimizer;    // wants nothing any more
@@ -157,7 +164,7 @@ class Backend {
   // The jobs' ends, in their order, of a backend that decides what comes next where the images lie
   // and runs any number of alignments at once. Nothing where it cannot, or has not learnt how to
   // run one of them: the caller then goes step by step.
-  virtual std::vector<FinishedAlignment> Run(const std::vector<AlignmentJob>&) const { return {}; }
+  virtual std::vector<FinishedAlignment> Run(const AlignmentJobs&) const { return {}; }
 };
 
 }  // namespace silt::tracker

@@ -24,9 +24,9 @@ int MarginAt(std::size_t level, const PyramidOptions& options) {
 using Source = CpuPreparation::Source;
 
 // Those levels of the pyramids that something is aligned at.
-std::vector<CpuPreparation::Level> LevelsOf(const CpuPreparation::Pyramids& made,
-                                            const PyramidOptions& options) {
-  std::vector<CpuPreparation::Level> levels;
+PooledVector<CpuPreparation::Level> LevelsOf(const CpuPreparation::Pyramids& made,
+                                             const PyramidOptions& options) {
+  PooledVector<CpuPreparation::Level> levels;
   for (std::size_t level = options.finest; level < made.depth_m.size(); ++level) {
     levels.push_back(
         {made.depth_m[level].get(), made.intensity[level].get(), MarginAt(level, options)});
@@ -34,7 +34,7 @@ std::vector<CpuPreparation::Level> LevelsOf(const CpuPreparation::Pyramids& made
   return levels;
 }
 
-class CpuReference : public ReferencePyramid {
+class CpuReference : public ReferencePyramid, public Pooled {
  public:
   CpuReference(const CpuPreparation& prepare, const Source& source, PinholeCamera camera,
                const PyramidOptions& options)
@@ -65,7 +65,7 @@ class CpuReference : public ReferencePyramid {
 };
 
 // An intensity beside a depth edge is NaN, so that nothing is compared with it.
-class CpuCurrent : public CurrentPyramid {
+class CpuCurrent : public CurrentPyramid, public Pooled {
  public:
   CpuCurrent(const CpuPreparation& prepare, const Source& source, const PyramidOptions& options)
       : interpolant(options.interpolant) {

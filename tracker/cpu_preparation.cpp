@@ -3,6 +3,7 @@
 #include "silt/tracker/cpu_preparation.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "silt/core/error.h"
 #include "silt/core/parallel.h"
@@ -30,12 +31,13 @@ using Buffer = std::shared_ptr<Image<float>>;
 
 float* DataOf(const Buffer& buffer) { return buffer ? buffer->data() : nullptr; }
 
-// Calls work(begin, end) for all tiles of rows of an image.
+// Calls work(begin, end) for all tiles of rows of an image. A std::function that refers to its
+// target, rather than holding it, needs no memory.
 template <typename Work>
 void ForTiles(int width, int height, int tile_rows, const Work& work) {
   const auto tile = [&](int i) { work(i * tile_rows, std::min(height, (i + 1) * tile_rows)); };
   const int tiles = (height + tile_rows - 1) / tile_rows;
-  if (width * height > kFewPixels) return ParallelFor(tiles, tile);
+  if (width * height > kFewPixels) return ParallelFor(tiles, std::cref(tile));
   for (int i = 0; i < tiles; ++i) tile(i);
 }
 
@@ -46,12 +48,12 @@ CpuPreparation::CpuPreparation(SimdLevel level)
 
 // The images of all levels that are made; null where they are not.
 struct CpuPreparation::Buffers {
-  std::vector<Buffer> intensity, depth_m;
+  PooledVector<Buffer> intensity, depth_m;
 };
 
 CpuPreparation::Buffers CpuPreparation::BuffersFor(const Source& source, int levels,
                                                    int finest) const {
-  Buffers buffers{std::vector<Buffer>(std::size_t(levels)), {}};
+  Buffers buffers{PooledVector<Buffer>(std::size_t(levels)), {}};
   if (source.depth_m) buffers.depth_m.resize(std::size_t(levels));
   for (int level = 0; level < levels; ++level) {
     const int width = source.width() >> level, height = source.height() >> level;
@@ -129,8 +131,8 @@ struct EdgeTile {
   int begin, end;
 };
 
-std::vector<EdgeTile> TilesOf(const std::vector<simd::EdgeView>& views) {
-  std::vector<EdgeTile> tiles;
+PooledVector<EdgeTile> TilesOf(const PooledVector<simd::EdgeView>& views) {
+  PooledVector<EdgeTile> tiles;
   for (std::size_t level = 0; level < views.size(); ++level) {
     const int height = views[level].height;
     for (int y = 0; y < height; y += kTileRows) {
@@ -145,21 +147,21 @@ bool ReachesOut(const simd::EdgeView& view) { return view.marks && view.reach > 
 
 // Calls work(i) for all tiles.
 template <typename Work>
-void ForTiles(const std::vector<simd::EdgeView>& views, const std::vector<EdgeTile>& tiles,
+void ForTiles(const PooledVector<simd::EdgeView>& views, const PooledVector<EdgeTile>& tiles,
               const Work& work) {
   int pixels = 0;
   for (const simd::EdgeView& view : views) pixels += view.width * view.height;
-  if (pixels > kFewPixels) return ParallelFor(int(tiles.size()), work);
+  if (pixels > kFewPixels) return ParallelFor(int(tiles.size()), std::cref(work));
   for (int i = 0; i < int(tiles.size()); ++i) work(i);
 }
 
 }  // namespace
 
-std::vector<CpuPreparation::Kept> CpuPreparation::AwayFromEdges(const std::vector<Level>& levels,
-                                                                const Wanted& wanted) const {
-  std::vector<Kept> all;
-  std::vector<Buffer> marks;
-  std::vector<simd::EdgeView> views;
+PooledVector<CpuPreparation::Kept> CpuPreparation::AwayFromEdges(const PooledVector<Level>& levels,
+                                                                 const Wanted& wanted) const {
+  PooledVector<Kept> all;
+  PooledVector<Buffer> marks;
+  PooledVector<simd::EdgeView> views;
   for (const Level& level : levels) {
     SILT_CHECK(!wanted.intensity || level.intensity != nullptr);
     const int width = level.depth_m->width(), height = level.depth_m->height();
@@ -173,7 +175,7 @@ std::vector<CpuPreparation::Kept> CpuPreparation::AwayFromEdges(const std::vecto
                      DataOf(intensity)});
     all.push_back({depth_m, inverse_depth, intensity, 0});
   }
-  const std::vector<EdgeTile> tiles = TilesOf(views);
+  const PooledVector<EdgeTile> tiles = TilesOf(views);
   const auto mark = [&](int i) {
     kernels_.mark_edges(views[tiles[i].level], tiles[i].begin, tiles[i].end);
   };
@@ -182,7 +184,7 @@ std::vector<CpuPreparation::Kept> CpuPreparation::AwayFromEdges(const std::vecto
       if (ReachesOut(views[tiles[i].level])) mark(i);
     });
   }
-  std::vector<int> measured(tiles.size());
+  PooledVector<int> measured(tiles.size());
   ForTiles(views, tiles, [&](int i) {
     const simd::EdgeView& view = views[tiles[i].level];
     if (view.marks && !ReachesOut(view)) mark(i);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "silt/core/image.h"
+#include "silt/core/memory_pool.h"
 #include "silt/core/vector.h"
 #include "silt/tracker/image_pool.h"
 #include "silt/tracker/simd/preparation.h"
@@ -15,7 +16,7 @@ namespace silt::tracker {
 
 // Levels are shared between pyramids that differ in some of them.
 using CpuLevel = std::shared_ptr<const Image<float>>;
-using CpuPyramid = std::vector<CpuLevel>;  // the finest first
+using CpuPyramid = PooledVector<CpuLevel>;  // the finest first
 
 // Makes pyramids of images, in tiles of rows on ParallelFor's threads.
 class CpuPreparation {
@@ -58,7 +59,7 @@ class CpuPreparation {
     int measured = 0;        // of the depths that are kept
   };
   // What is not wanted is null.
-  std::vector<Kept> AwayFromEdges(const std::vector<Level>& levels, const Wanted& wanted) const;
+  PooledVector<Kept> AwayFromEdges(const PooledVector<Level>& levels, const Wanted& wanted) const;
 
   // An image of arbitrary values.
   std::shared_ptr<Image<float>> Take(int width, int height) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "silt/core/parallel.h"
@@ -67,13 +68,14 @@ void AddTo(Sums* total, const simd::LaneSums& tile) {
 
 int Tiles(const simd::LevelView& view) { return (view.height + kTileRows - 1) / kTileRows; }
 
-// Calls work(tile, begin, end) for all tiles of rows.
+// Calls work(tile, begin, end) for all tiles of rows; by reference, so that no std::function needs
+// memory for it.
 template <typename Work>
 void ForTiles(const simd::LevelView& view, const Work& work) {
   const auto tile = [&](int i) {
     work(i, i * kTileRows, std::min(view.height, (i + 1) * kTileRows));
   };
-  if (view.width * view.height > kFewPixels) return ParallelFor(Tiles(view), tile);
+  if (view.width * view.height > kFewPixels) return ParallelFor(Tiles(view), std::cref(tile));
   for (int i = 0; i < Tiles(view); ++i) tile(i);
 }
 

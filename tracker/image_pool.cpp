@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "silt/core/memory_pool.h"
+
 namespace silt::tracker {
 namespace {
 
@@ -43,9 +45,10 @@ ImagePool::ImagePool() : store_(std::make_shared<Store>()) { store_->idle.reserv
 std::shared_ptr<Image<float>> ImagePool::Take(int width, int height) {
   std::unique_ptr<Image<float>> image = store_->Find(width, height);
   if (!image) image = std::make_unique<Image<float>>(width, height);
-  return {image.release(), [store = store_](Image<float>* used) {
-            store->Return(std::unique_ptr<Image<float>>(used));
-          }};
+  const auto give_back = [store = store_](Image<float>* used) {
+    store->Return(std::unique_ptr<Image<float>>(used));
+  };
+  return {image.release(), give_back, PoolAllocator<Image<float>>()};
 }
 
 }  // namespace silt::tracker

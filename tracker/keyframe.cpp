@@ -26,16 +26,16 @@ double SummedRotationDeg(const SE3d& world_from_a, const SE3d& world_from_b) {
 
 }  // namespace
 
-std::vector<int> NearestKeyframes(const std::vector<Keyframe>& keyframes,
-                                  const SE3d& world_from_camera, const KeyframeOptions& options,
-                                  int count) {
-  std::vector<std::pair<double, int>> by_distance;
+KeyframeIds NearestKeyframes(const std::vector<Keyframe>& keyframes, const SE3d& world_from_camera,
+                             const KeyframeOptions& options, int count) {
+  PooledVector<std::pair<double, int>> by_distance;
+  by_distance.reserve(keyframes.size());
   for (int i = 0; i < int(keyframes.size()); ++i) {
     by_distance.emplace_back(Distance(keyframes[i], world_from_camera, options), i);
   }
   const std::size_t kept = std::min<std::size_t>(count, by_distance.size());
   std::partial_sort(by_distance.begin(), by_distance.begin() + kept, by_distance.end());
-  std::vector<int> nearest;
+  KeyframeIds nearest;
   for (std::size_t i = 0; i < kept; ++i) {
     if (i > 0 && by_distance[i].first > 3 * options.max_distance_m) break;
     nearest.push_back(by_distance[i].second);

@@ -6,6 +6,7 @@
 
 #include "silt/core/frame.h"
 #include "silt/core/image.h"
+#include "silt/core/memory_pool.h"
 #include "silt/core/se3.h"
 #include "silt/tracker/options.h"
 #include "silt/tracker/pose_covariance.h"
@@ -21,13 +22,15 @@ struct Keyframe {
   Covariance6 covariance{};  // of it, in its camera's frame
 };
 
+// By id.
+using KeyframeIds = PooledVector<int>;
+
 // Indices of the `count` keyframes, or fewer where there are not so many, whose cameras are nearest
 // in position to that of `world_from_camera`, with a turn counted as options.metres_per_radian;
 // nearest first, the earlier one of two at the same distance. Beyond the first, those that are
 // farther than three times options.max_distance_m are left out.
-std::vector<int> NearestKeyframes(const std::vector<Keyframe>& keyframes,
-                                  const SE3d& world_from_camera, const KeyframeOptions& options,
-                                  int count);
+KeyframeIds NearestKeyframes(const std::vector<Keyframe>& keyframes, const SE3d& world_from_camera,
+                             const KeyframeOptions& options, int count);
 // The first of them. `keyframes` must not be empty.
 int NearestKeyframe(const std::vector<Keyframe>& keyframes, const SE3d& world_from_camera,
                     const KeyframeOptions& options = {});

@@ -103,21 +103,21 @@ void KeyframeTracker::CheckFrame(const Frame& frame) const {
 
 void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, TrackedFrame* result) {
   // The position of the previous image defines the nearest keyframe (§3.1).
-  const std::vector<int> nearest =
+  const KeyframeIds nearest =
       Seen(NearestKeyframes(keyframes_, options_.always_initialize ? world_from_camera_ : expected,
                             options_.keyframes, options_.keyframes.joint),
            expected);
   const Keyframe& keyframe = keyframes_[nearest.front()];
   result->keyframe_id = keyframe.id;
-  const auto current = current_ = MakeCurrent(frame, result);
+  current_ = MakeCurrent(frame, result);
   // Initial T_cr (§3.2), then its refinement (§3.3).
   const SE3d start = expected.Inverse() * keyframe.world_from_camera;
   if (options_.always_initialize) Initialize(keyframe.id, start, frame, result);
-  Refine(nearest, *current, result->initial.current_from_keyframe.value_or(start), result);
+  Refine(nearest, *current_, result->initial.current_from_keyframe.value_or(start), result);
   if (result->status == TrackingStatus::kDoubtful) TryAgain(nearest, start, frame, result);
   if (result->status == TrackingStatus::kLost) {
     velocity_.reset();
-    Relocalize(frame, *current, expected, result);
+    Relocalize(frame, *current_, expected, result);
   } else {
     Accept(result);
   }
@@ -125,8 +125,8 @@ void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, Tracked
 
 // A doubtful frame whose images do not agree well, from where the initializer says, which has not
 // been asked yet; of both poses the one that leaves less doubt is kept.
-void KeyframeTracker::TryAgain(const std::vector<int>& nearest, const SE3d& expected,
-                               const Frame& frame, TrackedFrame* result) {
+void KeyframeTracker::TryAgain(const KeyframeIds& nearest, const SE3d& expected, const Frame& frame,
+                               TrackedFrame* result) {
   if (options_.always_initialize || Disagreement(result->evidence, options_.trust) <= 1) return;
   const TrackedFrame before = *result;
   if (Initialize(nearest.front(), expected, frame, result)) {
@@ -188,19 +188,19 @@ double KeyframeTracker::Overlap(const Keyframe& keyframe, const SE3d& world_from
 }
 
 // Those that an alignment can do something with; the first where there are none.
-std::vector<int> KeyframeTracker::Seen(std::vector<int> ids, const SE3d& world_from_camera) const {
+KeyframeIds KeyframeTracker::Seen(KeyframeIds ids, const SE3d& world_from_camera) const {
   const int first = ids.front();
   if (ids.size() == 1) return ids;
   std::erase_if(ids, [&](int id) {
     return (id != first && references_[id].stale) ||
            Overlap(keyframes_[id], world_from_camera) < options_.alignment.min_overlap;
   });
-  return ids.empty() ? std::vector<int>{first} : ids;
+  return ids.empty() ? KeyframeIds{first} : ids;
 }
 
 // A keyframe, and the nearest others in view that are aligned with together with it.
-std::vector<int> KeyframeTracker::WithNeighbours(int id, const SE3d& world_from_camera) const {
-  std::vector<int> all{id};
+KeyframeIds KeyframeTracker::WithNeighbours(int id, const SE3d& world_from_camera) const {
+  KeyframeIds all{id};
   for (const int near : Seen(NearestKeyframes(keyframes_, world_from_camera, options_.keyframes,
                                               options_.keyframes.joint),
                              world_from_camera)) {
@@ -280,7 +280,7 @@ void KeyframeTracker::MakeIntensities(int keyframe, const Frame& frame, TrackedF
   gray_frame_index_ = frame_index_;
 }
 
-std::shared_ptr<const CurrentPyramid> KeyframeTracker::MakeCurrent(const Frame& frame,
+std::unique_ptr<const CurrentPyramid> KeyframeTracker::MakeCurrent(const Frame& frame,
                                                                    TrackedFrame* result) const {
   const Stopwatch watch(&result->times.pyramid_ms);
   const AlignmentOptions& alignment = options_.alignment;
@@ -298,11 +298,11 @@ std::unique_ptr<ReferencePyramid> KeyframeTracker::MakeReference(const Frame& fr
   return backend_->MakeReferenceOfColour(frame.rgb, frame.depth_m, camera_, pyramids);
 }
 
-void KeyframeTracker::Refine(const std::vector<int>& nearest, const CurrentPyramid& current,
+void KeyframeTracker::Refine(const KeyframeIds& nearest, const CurrentPyramid& current,
                              const SE3d& initial, TrackedFrame* result) {
   aligned_with_ = nearest;
   const SE3d anchor_from_world = keyframes_[nearest.front()].world_from_camera.Inverse();
-  std::vector<ReferenceView> views;
+  ReferenceViews views;
   for (const int id : nearest) {
     views.push_back(
         {*references_[id].pyramid, anchor_from_world * keyframes_[id].world_from_camera});
@@ -380,8 +380,8 @@ OwnedPair KeyframeTracker::FullResolution(int keyframe, const Frame& frame,
 // Of all the keyframes that the next frame could be aligned with, the camera sees too little.
 bool KeyframeTracker::ShowsWhatNoneKnows() const {
   if (options_.keyframes.min_overlap == 0) return false;
-  const std::vector<int> nearest = NearestKeyframes(keyframes_, world_from_camera_,
-                                                    options_.keyframes, options_.keyframes.joint);
+  const KeyframeIds nearest = NearestKeyframes(keyframes_, world_from_camera_, options_.keyframes,
+                                               options_.keyframes.joint);
   return std::none_of(nearest.begin(), nearest.end(), [&](int id) {
     return Overlap(keyframes_[id], world_from_camera_) >= options_.keyframes.min_overlap;
   });

@@ -102,18 +102,18 @@ class KeyframeTracker {
   SE3d Predicted(double time_s) const;
   bool Initialize(int keyframe, const SE3d& expected, const Frame& frame, TrackedFrame* result);
   void MakeIntensities(int keyframe, const Frame& frame, TrackedFrame* result);
-  std::shared_ptr<const CurrentPyramid> MakeCurrent(const Frame& frame, TrackedFrame* result) const;
+  std::unique_ptr<const CurrentPyramid> MakeCurrent(const Frame& frame, TrackedFrame* result) const;
   std::unique_ptr<ReferencePyramid> MakeReference(const Frame& frame) const;
-  void Refine(const std::vector<int>& nearest, const CurrentPyramid& current, const SE3d& initial,
+  void Refine(const KeyframeIds& nearest, const CurrentPyramid& current, const SE3d& initial,
               TrackedFrame* result);
-  void TryAgain(const std::vector<int>& nearest, const SE3d& expected, const Frame& frame,
+  void TryAgain(const KeyframeIds& nearest, const SE3d& expected, const Frame& frame,
                 TrackedFrame* result);
   void Relocalize(const Frame& frame, const CurrentPyramid& current, const SE3d& expected,
                   TrackedFrame* result);
   std::vector<Candidate> Candidates(int nearest, const Frame& frame, const SE3d& expected);
   double Overlap(const Keyframe& keyframe, const SE3d& world_from_camera) const;
-  std::vector<int> Seen(std::vector<int> ids, const SE3d& world_from_camera) const;
-  std::vector<int> WithNeighbours(int id, const SE3d& world_from_camera) const;
+  KeyframeIds Seen(KeyframeIds ids, const SE3d& world_from_camera) const;
+  KeyframeIds WithNeighbours(int id, const SE3d& world_from_camera) const;
   void Accept(TrackedFrame* result);
   SE3d PoseOf(TrackedFrame* result) const;
   bool NeedsNewKeyframe(const TrackedFrame& result) const;
@@ -130,10 +130,10 @@ class KeyframeTracker {
   std::unique_ptr<Initializer> initializer_;
   Image<float> gray_;                              // in [0, 1], for the initializer
   int gray_frame_index_ = -1;                      // of the frame that it is of
-  std::shared_ptr<const CurrentPyramid> current_;  // of the frame that is being tracked
+  std::unique_ptr<const CurrentPyramid> current_;  // of the frame that is being tracked
   std::vector<Keyframe> keyframes_;
   std::vector<Reference> references_;  // of keyframes_
-  std::vector<int> aligned_with_;      // the keyframes that this frame was
+  KeyframeIds aligned_with_;           // the keyframes that this frame was
   SE3d world_from_camera_;             // of the last tracked frame
   int tracked_from_ = 0;               // the keyframe of that frame; itself where it is one
   double time_s_ = 0;                  // of that frame

@@ -75,7 +75,7 @@ const char* Name(TrackingStatus status) {
   return "lost";
 }
 
-PoseEvidence EvidenceOf(const Backend& backend, const std::vector<ReferenceView>& references,
+PoseEvidence EvidenceOf(const Backend& backend, const ReferenceViews& references,
                         const CurrentPyramid& current, const AlignmentResult& alignment,
                         const ImageContent& content) {
   const AlignmentLevel& finest = alignment.levels.back();

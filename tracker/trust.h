@@ -28,7 +28,7 @@ struct PoseEvidence {
 };
 
 // Of an alignment that is ok, with the first of its references.
-PoseEvidence EvidenceOf(const Backend& backend, const std::vector<ReferenceView>& references,
+PoseEvidence EvidenceOf(const Backend& backend, const ReferenceViews& references,
                         const CurrentPyramid& current, const AlignmentResult& alignment,
                         const ImageContent& content);
 

@@ -25,8 +25,7 @@ class BlockAlignments {
     return !job.plan.keep_log && int(job.references.size()) <= kMaxReferences;
   }
 
-  std::vector<tracker::FinishedAlignment> Run(
-      const std::vector<tracker::AlignmentJob>& jobs) const {
+  std::vector<tracker::FinishedAlignment> Run(const tracker::AlignmentJobs& jobs) const {
     std::vector<AlignTask> tasks;
     std::vector<AlignStart> starts;
     // The same images are seen through the same options: all jobs of a batch have those.

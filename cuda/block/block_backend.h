@@ -147,8 +147,7 @@ class BlockBackend : public tracker::Backend {
         Reduce(ResidualsOf(norm), pair, level, {current_from_reference}, norm).front(), norm);
   }
 
-  std::vector<tracker::FinishedAlignment> Run(
-      const std::vector<tracker::AlignmentJob>& jobs) const override {
+  std::vector<tracker::FinishedAlignment> Run(const tracker::AlignmentJobs& jobs) const override {
     for (const tracker::AlignmentJob& job : jobs) {
       if (!Alignments::CanRun(job)) return {};
     }

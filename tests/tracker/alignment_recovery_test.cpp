@@ -150,7 +150,7 @@ TEST(AlignmentRecovery, SeveralReferencesDetermineOnePose) {
   const std::unique_ptr<Backend> backend = MakeCpuBackend();
   const AlignmentOptions options = RobustOptions();
   std::vector<std::unique_ptr<ReferencePyramid>> pyramids;
-  std::vector<ReferenceView> views;
+  ReferenceViews views;
   for (const SE3d& pose : anchor_from_reference) {
     const View view = RenderRoom(room_from_anchor * pose, kSmallCamera);
     pyramids.push_back(

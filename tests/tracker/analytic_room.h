@@ -107,9 +107,10 @@ inline View RenderRoom(const SE3d& room_from_camera, const PinholeCamera& camera
 }
 
 // The same as a range camera delivers it: gray in 8 bits.
-inline Frame RoomFrame(const SE3d& room_from_camera, double time_s = 0) {
-  View view = RenderRoom(room_from_camera);
-  Frame frame{time_s, Image<Rgb8>(kSmallCamera.width, kSmallCamera.height), {}};
+inline Frame RoomFrame(const SE3d& room_from_camera, double time_s = 0,
+                       const PinholeCamera& camera = kSmallCamera) {
+  View view = RenderRoom(room_from_camera, camera);
+  Frame frame{time_s, Image<Rgb8>(camera.width, camera.height), {}};
   for (std::size_t i = 0; i < view.intensity.size(); ++i) {
     const auto gray = std::uint8_t(std::lround(255 * view.intensity.data()[i]));
     frame.rgb.data()[i] = {gray, gray, gray};

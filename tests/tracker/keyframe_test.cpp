@@ -88,11 +88,11 @@ TEST(NearestKeyframes, ATurnMayCountAsADisplacement) {
   keyframes[1].world_from_camera = SE3d{{}, {0.1, 0, 0}};
   keyframes[2].world_from_camera = SE3d{{}, {5, 0, 0}};
   KeyframeOptions options;
-  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 2), (std::vector<int>{0, 1}));
+  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 2), (KeyframeIds{0, 1}));
   options.metres_per_radian = 0.3;
-  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 1), std::vector<int>{1});
+  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 1), KeyframeIds{1});
   // The third is too far away to help.
-  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 3), (std::vector<int>{1, 0}));
+  EXPECT_EQ(NearestKeyframes(keyframes, SE3d{}, options, 3), (KeyframeIds{1, 0}));
 }
 
 TEST(NearestKeyframe, TheEarlierOfTwoAtTheSameDistance) {

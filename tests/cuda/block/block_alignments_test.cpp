@@ -93,7 +93,7 @@ TEST_P(BlockAlignmentsOn, SeveralReferencesTogether) {
     const Pictures other = Scene(anchor_from_other.Inverse());
     const auto reference =
         block_->MakeReference(other.intensity, other.depth_m, kCamera, options.Pyramids());
-    const std::vector<tracker::ReferenceView> views{
+    const tracker::ReferenceViews views{
         {*pair.reference, {}}, {*reference, anchor_from_other}, {*pair.reference, {}}};
     const AlignmentResult whole = tracker::Align(*block_, views, *pair.current, {}, options);
     ExpectSame(whole, tracker::Align(*block_, views, *pair.current, {}, StepByStep(options)));
@@ -107,7 +107,7 @@ TEST_P(BlockAlignmentsOn, JudgeWhatTheCallerWould) {
   const Pair pair = MakePair(*block_, options.Pyramids());
   AlignmentResult whole = tracker::Align(*block_, pair.images(), {}, options);
   ASSERT_TRUE(whole.judged);
-  const std::vector<tracker::ReferenceView> views{{*pair.reference, {}}};
+  const tracker::ReferenceViews views{{*pair.reference, {}}};
   const tracker::ImageContent content{1, 0.05, 0.5};
   const double on_the_way =
       tracker::EvidenceOf(*block_, views, *pair.current, whole, content).inlier_ratio;
