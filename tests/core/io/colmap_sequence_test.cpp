@@ -30,6 +30,7 @@ struct Model {
     int r = 0, g = 0, b = 0, image = 0, index = 0;
   };
   PinholeCamera camera;
+  LensDistortion lens;
   std::map<int, Picture> pictures;
   std::map<int, Point> points;
 };
@@ -68,7 +69,15 @@ Model ReadModel(const fs::path& folder) {
   std::istringstream camera(LinesOf(folder / "cameras.txt").at(0));
   PinholeCamera& c = model.camera;
   camera >> id >> name >> c.width >> c.height >> c.fx >> c.fy >> c.cx >> c.cy;
-  EXPECT_EQ(name, "PINHOLE");
+  if (name == "FULL_OPENCV") {
+    LensDistortion& l = model.lens;
+    double k4 = 1, k5 = 1, k6 = 1;
+    camera >> l.k1 >> l.k2 >> l.p1 >> l.p2 >> l.k3 >> k4 >> k5 >> k6;
+    EXPECT_TRUE(k4 == 0 && k5 == 0 && k6 == 0);
+  } else {
+    EXPECT_EQ(name, "PINHOLE");
+  }
+  EXPECT_TRUE(bool(camera) && (camera >> std::ws).eof());
   ReadPictures(folder / "images.txt", model);
   for (const std::string& line : LinesOf(folder / "points3D.txt")) {
     std::istringstream in(line);
@@ -85,7 +94,8 @@ Model ReadModel(const fs::path& folder) {
 PosedImage ReadFrame(const fs::path& folder, const Model& model, int id) {
   const Model::Picture& picture = model.pictures.at(id);
   PosedImage image;
-  image.gray = GrayFromRgb(ReadRgb(folder / "images" / picture.name));
+  image.rgb = ReadRgb(folder / "images" / picture.name);
+  image.gray = GrayFromRgb(image.rgb);
   image.depth_m = ReadDepth(folder / "depth" / picture.name);
   image.fx = model.camera.fx;
   image.fy = model.camera.fy;
@@ -93,6 +103,7 @@ PosedImage ReadFrame(const fs::path& folder, const Model& model, int id) {
   image.cy = model.camera.cy - 0.5;
   image.rotation = picture.rotation.Conjugate().Matrix();
   image.position = -(image.rotation * picture.translation);
+  image.lens = model.lens;
   return image;
 }
 
@@ -137,6 +148,47 @@ TEST_F(ColmapSequence, PointsProjectWhereTheyAreObserved) {
     }
   }
   EXPECT_EQ(observed, model_.points.size());
+}
+
+TEST_F(ColmapSequence, HoldsEveryPoseColourAndDepthThatWasWritten) {
+  for (const LensDistortion& lens : {LensDistortion{}, kBoxLens}) {
+    const SequenceFolder folder;
+    SequenceDescription description = BoxDescription(5);
+    description.lens = lens;
+    const std::vector<Frame> frames = ColoredFrames(description);
+    ColmapSequenceWriter writer(folder.path(), description);
+    for (std::size_t i = 0; i < frames.size(); ++i) writer.Write(int(i), frames[i]);
+    writer.Finish();
+    const Model model = ReadModel(folder / "sparse/0");
+    EXPECT_EQ(model.camera.width, kBoxCamera.width);
+    EXPECT_EQ(model.camera.height, kBoxCamera.height);
+    ASSERT_EQ(model.pictures.size(), frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const PosedImage found = ReadFrame(folder.path(), model, int(i) + 1);
+      ExpectSame(found, description, i, frames[i], 1.0 / 5000);
+    }
+  }
+}
+
+TEST_F(ColmapSequence, PicturesAndPointsThroughALensAreConsistentWithFullOpencv) {
+  const SequenceFolder folder;
+  SequenceDescription description = BoxDescription(4);
+  description.lens = kBoxLens;
+  ColmapSequenceWriter writer(folder.path(), description);
+  WriteBox(writer, description);
+  const Model model = ReadModel(folder / "sparse/0");
+  const PosedImage from = ReadFrame(folder.path(), model, 1),
+                   to = ReadFrame(folder.path(), model, 4);
+  const double right = WarpError(from, to);
+  EXPECT_LT(right, 0.6);
+  EXPECT_GT(WarpError(WithoutLens(from), WithoutLens(to)), 3 * right);
+  const Model::Picture& picture = model.pictures.at(1);
+  ASSERT_FALSE(picture.places.empty());
+  for (std::size_t i = 0; i < picture.places.size(); ++i) {
+    const Vec2d at = from.ToImage(model.points.at(picture.points[i]).position);
+    EXPECT_NEAR(at.x + 0.5, picture.places[i].x, 1e-4);
+    EXPECT_NEAR(at.y + 0.5, picture.places[i].y, 1e-4);
+  }
 }
 
 TEST_F(ColmapSequence, TheCameraCountsFromThePixelsCorner) {

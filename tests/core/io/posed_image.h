@@ -9,28 +9,35 @@
 
 #include "silt/core/color.h"
 #include "silt/core/io/sequence_writer.h"
+#include "silt/core/lens.h"
 
 // Whether a layout's images, depths, poses and intrinsics fit together, told by the pictures alone:
 // one frame is warped onto another. Readers in tests give them in the layout's own conventions.
 namespace silt {
 
 // An image with its depth and pose. The camera may look along ±z and have its y up (fy < 0):
-//   X = (u − cx)/fx·z,   Y = (v − cy)/fy·z,   Z = z_sign·z.
+//   X = x·z,   Y = sign(fy)·y·z,   Z = z_sign·z,
+//   where the lens shows (x, y), y down, at ((u − cx)/fx, (v − cy)/|fy|).
 struct PosedImage {
   Image<float> gray;     // [0, 1]
   Image<float> depth_m;  // z ≥ 0
   double fx = 0, fy = 0, cx = 0, cy = 0, z_sign = 1;
   Mat3d rotation;  // world from camera
   Vec3d position;
+  LensDistortion lens = {};
+  Image<Rgb8> rgb = {};  // where a reader keeps the colours
 
+  double y_sign() const { return fy < 0 ? -1 : 1; }
   Vec3d ToWorld(int u, int v) const {
     const double z = depth_m(u, v);
-    return rotation * Vec3d{(u - cx) / fx * z, (v - cy) / fy * z, z_sign * z} + position;
+    const Vec2d ray = lens.Undistort(Vec2d{(u - cx) / fx, (v - cy) / std::abs(fy)});
+    return rotation * Vec3d{ray.x * z, y_sign() * ray.y * z, z_sign * z} + position;
   }
   Vec2d ToImage(const Vec3d& world) const {
     const Vec3d p = Transposed(rotation) * (world - position);
     const double z = z_sign * p.z;
-    return {cx + fx * p.x / z, cy + fy * p.y / z};
+    const Vec2d shown = lens.Distort(Vec2d{p.x / z, y_sign() * p.y / z});
+    return {cx + fx * shown.x, cy + std::abs(fy) * shown.y};
   }
 };
 
@@ -89,6 +96,11 @@ inline PosedImage WithDepthMistaken(PosedImage image, int sign) {
   return image;
 }
 
+inline PosedImage WithoutLens(PosedImage image) {
+  image.lens = {};
+  return image;
+}
+
 // The inside of a box 6 × 8 × 3 m on the floor z = 0, painted with smooth waves.
 inline double BoxPattern(const Vec3d& p) {
   const double s = std::sin(4.1 * p.x + 0.3) * std::sin(3.7 * p.y - 0.2) +
@@ -100,14 +112,17 @@ inline double BoxPattern(const Vec3d& p) {
 // ICL-NUIM's camera at a quarter of its size: fx ≠ fy, wide enough to tell z from the ray.
 inline constexpr PinholeCamera kBoxCamera{120.3, 120, 79.5, 59.5, 160, 120};
 
-inline Frame BoxFrame(const SE3d& world_from_camera, double time_s) {
+inline Frame BoxFrame(const SE3d& world_from_camera, double time_s,
+                      const LensDistortion& lens = {}) {
   const PinholeCamera& camera = kBoxCamera;
   Frame frame{time_s, Image<Rgb8>(camera.width, camera.height),
               Image<float>(camera.width, camera.height)};
   const Vec3d& o = world_from_camera.translation;
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
-      const Vec3d d = world_from_camera.rotation * camera.Unproject(double(u), double(v), 1.0);
+      const Vec2d ray =
+          lens.Undistort(Vec2d{(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy});
+      const Vec3d d = world_from_camera.rotation * Vec3d{ray.x, ray.y, 1};
       const double z = std::min({((d.x > 0 ? 3 : -3) - o.x) / d.x, ((d.y > 0 ? 4 : -4) - o.y) / d.y,
                                  ((d.z > 0 ? 3 : 0) - o.z) / d.z});
       const auto gray = std::uint8_t(std::lround(255 * BoxPattern(o + z * d)));
@@ -134,7 +149,7 @@ inline SequenceDescription BoxDescription(int frames) {
 inline std::vector<Frame> BoxFrames(const SequenceDescription& description) {
   std::vector<Frame> frames;
   for (const StampedPose& pose : description.truth) {
-    frames.push_back(BoxFrame(pose.world_from_camera, pose.time_s));
+    frames.push_back(BoxFrame(pose.world_from_camera, pose.time_s, description.lens));
   }
   return frames;
 }
@@ -145,6 +160,29 @@ inline void WriteBox(SequenceWriter& writer, const SequenceDescription& descript
   for (int i = int(frames.size()) - 1; i >= 0; --i) writer.Write(i, frames[std::size_t(i)]);
   writer.Finish();
 }
+
+// A wide lens, every coefficient at work: its corners move by up to 9 pixels.
+inline constexpr LensDistortion kBoxLens{-0.12, 0.03, 0.004, -0.003, 0.002};
+
+// The box's frames with a colour for each pixel and channel, so that one exchanged for another
+// shows.
+inline std::vector<Frame> ColoredFrames(const SequenceDescription& description) {
+  std::vector<Frame> frames = BoxFrames(description);
+  for (Frame& frame : frames) {
+    for (int v = 0; v < frame.rgb.height(); ++v) {
+      for (int u = 0; u < frame.rgb.width(); ++u) {
+        frame.rgb(u, v).g = std::uint8_t(u);
+        frame.rgb(u, v).b = std::uint8_t(v);
+      }
+    }
+  }
+  return frames;
+}
+
+// What a reader found is what was written: pose, intrinsics and lens to the digits of text, colours
+// exactly, depth to half of the layout's step.
+void ExpectSame(const PosedImage& found, const SequenceDescription& written, std::size_t number,
+                const Frame& frame, double depth_step_m);
 
 // A folder of the running test's own, empty at the start and gone at the end.
 class SequenceFolder {

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <sstream>
 
+#include "posed_image.h"
 #include "silt/core/error.h"
 #include "silt/core/io/image_file.h"
 
@@ -75,6 +77,66 @@ TEST_F(TumSequenceTest, ReadsWhatWasWritten) {
   }
   EXPECT_FALSE(sequence.Next());
   EXPECT_FALSE(sequence.Next());
+}
+
+// As the benchmark's own scripts would: the intrinsics of camera.txt, the files of the list, depth
+// at 5000 per metre along z, and the pose of the image's time, camera to world.
+PosedImage ReadAsTum(const fs::path& folder, int number) {
+  const auto row = [&folder](const char* list, int index) {
+    std::istringstream lines(ReadText(folder / list));
+    for (std::string line; std::getline(lines, line);) {
+      if (line[0] != '#' && index-- == 0) return line;
+    }
+    return std::string();
+  };
+  PosedImage image;
+  std::istringstream camera(row("camera.txt", 0));
+  double width = 0, height = 0;
+  camera >> image.fx >> image.fy >> image.cx >> image.cy >> width >> height;
+  LensDistortion& l = image.lens;
+  if (!(camera >> std::ws).eof()) camera >> l.k1 >> l.k2 >> l.p1 >> l.p2 >> l.k3;
+  std::string time, rgb, depth_time, depth, truth_time;
+  std::istringstream(row("associations.txt", number)) >> time >> rgb >> depth_time >> depth;
+  image.rgb = ReadRgb(folder / rgb);
+  image.gray = GrayFromRgb(image.rgb);
+  image.depth_m = ReadDepth(folder / depth, 5000);
+  EXPECT_EQ(image.rgb.width(), int(width));
+  EXPECT_EQ(image.rgb.height(), int(height));
+  Quaterniond q;
+  Vec3d& t = image.position;
+  std::istringstream(row("groundtruth.txt", number)) >> truth_time >> t.x >> t.y >> t.z >> q.x >>
+      q.y >> q.z >> q.w;
+  EXPECT_NEAR(std::stod(truth_time), std::stod(time), 1e-9);
+  image.rotation = q.Matrix();
+  return image;
+}
+
+TEST_F(TumSequenceTest, PicturesAreConsistent) {
+  for (const LensDistortion& lens : {LensDistortion{}, kBoxLens}) {
+    SequenceDescription description = BoxDescription(4);
+    description.lens = lens;
+    TumSequenceWriter writer(folder_, description);
+    WriteBox(writer, description);
+    const PosedImage from = ReadAsTum(folder_, 0), to = ReadAsTum(folder_, 3);
+    const double right = WarpError(from, to);
+    EXPECT_LT(right, 0.6);
+    EXPECT_GT(WarpError(WithFyFlipped(from), WithFyFlipped(to)), 10 * right);
+    EXPECT_GT(WarpError(WithPoseInverted(from), WithPoseInverted(to)), 10 * right);
+    EXPECT_GT(WarpError(WithDepthMistaken(from, -1), WithDepthMistaken(to, -1)), 3 * right);
+    const double without_lens = WarpError(WithoutLens(from), WithoutLens(to));
+    EXPECT_EQ(without_lens > 3 * right, !lens.IsNone());
+  }
+}
+
+TEST_F(TumSequenceTest, HoldsEveryPoseColourAndDepthThatWasWritten) {
+  const SequenceDescription description = BoxDescription(5);
+  const std::vector<Frame> frames = ColoredFrames(description);
+  TumSequenceWriter writer(folder_, description);
+  for (std::size_t i = 0; i < frames.size(); ++i) writer.Write(int(i), frames[i]);
+  writer.Finish();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    ExpectSame(ReadAsTum(folder_, int(i)), description, i, frames[i], 1.0 / 5000);
+  }
 }
 
 TEST_F(TumSequenceTest, GroundTruthBearsTheFramesTimes) {
