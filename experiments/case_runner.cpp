@@ -4,6 +4,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@
 #include "silt/experiments/sensor_options.h"
 #include "silt/sim/content_hash.h"
 #include "silt/sim/path_file.h"
+#include "silt/sim/scene_digest.h"
 
 namespace silt::experiments {
 namespace {
@@ -42,6 +44,26 @@ std::string HashOf(const std::filesystem::path& file) {
   return sim::ContentHash().AddBytes(text.str().data(), text.str().size()).Digest();
 }
 
+// Of all that the scene file's text led to: models and pictures change without it.
+std::string HashOf(const sim::Scene& scene) {
+  const std::string look = sim::SceneDigest(scene, sim::SurfacesAre::kAsGiven);
+  sim::ContentHash hash;
+  hash.AddBytes(look.data(), look.size()).Add(scene.exposure);
+  for (const sim::Instance& i : scene.instances) hash.Add(i.first_triangle).Add(i.triangle_count);
+  return hash.Digest();
+}
+
+// Of poses 10 ms apart (a million at most): a recording that is replayed changes without the text.
+std::string HashOf(const sim::CameraPath& path) {
+  sim::ContentHash hash;
+  for (const StampedPose& pose : path.Sample(std::min(100.0, 1e6 / path.duration_s()))) {
+    const Quaterniond& q = pose.world_from_camera.rotation;
+    const Vec3d& t = pose.world_from_camera.translation;
+    for (const double value : {q.w, q.x, q.y, q.z, t.x, t.y, t.z}) hash.Add(value);
+  }
+  return hash.Digest();
+}
+
 }  // namespace
 
 sim::PoseAtTime World::Pose() const {
@@ -53,8 +75,10 @@ Json World::ToJson() const {
   return {{"scene", scene->scene().name},
           {"scene_file", scene_file.string()},
           {"scene_hash", HashOf(scene_file)},
+          {"scene_contents_hash", HashOf(scene->scene())},
           {"path_file", path_file.string()},
           {"path_hash", HashOf(path_file)},
+          {"path_poses_hash", HashOf(path)},
           {"path_duration_s", s.duration_s},
           {"path_length_m", s.length_m},
           {"triangles", scene->scene().mesh.triangles.size()},

@@ -8,6 +8,7 @@
 
 #include "silt/core/error.h"
 #include "silt/experiments/option_checks.h"
+#include "silt/sim/content_hash.h"
 #include "silt/sim/sensor_file.h"
 
 namespace silt::experiments {
@@ -61,6 +62,13 @@ Json NoiseJson(const sim::NoiseModel& noise) {
             {"dsnu_e", emva->dsnu_e}};
   }
   return Json::object();
+}
+
+// Of the 255 places where the output takes its steps: a table changes and keeps its name.
+std::string HashOf(const sim::ResponseCurve& response) {
+  sim::ContentHash hash;
+  for (int code = 1; code < 256; ++code) hash.Add(response.Decode((code - 0.5) / 255));
+  return hash.Digest();
 }
 
 }  // namespace
@@ -138,6 +146,7 @@ Json SensorJson(const sim::RenderOptions& options) {
   return {{"noise", sensor.NoiseName()},
           {"noise_parameters", NoiseJson(sensor.noise)},
           {"response", sensor.response.name()},
+          {"response_hash", HashOf(sensor.response)},
           {"vignetting", {{"cos4", v.cos4}, {"polynomial", {v.a1, v.a2, v.a3}}}},
           {"lens", {l.k1, l.k2, l.p1, l.p2, l.k3}},
           {"depth_sensor",

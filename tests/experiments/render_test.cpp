@@ -46,6 +46,15 @@ class RenderCommand : public testing::Test {
   TestFolder folder_;
 };
 
+// The first file of the third frame in each layout.
+const std::map<std::string, std::string> kThirdFile{
+    {"tum", "rgb/000002.png"},
+    {"icl", "scene_00_0002.png"},
+    {"euroc", "mav0/cam0/data/0000000000100000000.png"},
+    {"nerfstudio", "images/000002.png"},
+    {"colmap", "images/000002.png"},
+    {"raw", "frames/000002.raw"}};
+
 class RenderFormat : public RenderCommand, public testing::WithParamInterface<std::string> {};
 
 // The promise: killed at any moment, the same command goes on and ends with the same bytes.
@@ -53,9 +62,7 @@ TEST_P(RenderFormat, KilledAndResumedIsTheSameBytes) {
   const std::string more = "--duration 1 --truth all --imu-noise euroc --format " + GetParam();
   ASSERT_EQ(Run("whole", more).exit_code, 0);
   const fs::path cut = folder_ / "cut";
-  const std::string third = GetParam() == "icl"   ? "scene_00_0002.png"
-                            : GetParam() == "raw" ? "frames/000002.raw"
-                                                  : "images/000002.png";
+  const std::string third = kThirdFile.at(GetParam());
   // The shell kills its child as soon as the third frame's first file is there.
   const std::string kill = "f() { \"$@\" & p=$!; while [ ! -e " + Quoted(cut / third) +
                            " ] && kill -0 $p 2> /dev/null; do sleep 0.001; done; "
@@ -74,8 +81,59 @@ TEST_P(RenderFormat, KilledAndResumedIsTheSameBytes) {
   EXPECT_TRUE(fs::exists(cut / "manifest.json"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, RenderFormat, testing::Values("icl", "colmap", "raw"),
+INSTANTIATE_TEST_SUITE_P(Formats, RenderFormat, testing::ValuesIn(SequenceFormats()),
                          [](const auto& param) { return param.param; });
+
+// A scene of a model with a texture, a recorded path and a response table, each in a file that the
+// command line does not name.
+class RenderOfFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    Write("scene.toml",
+          "name = \"Sheet\"\nambient = [1, 1, 1]\n[[material]]\nname = \"paint\"\n"
+          "texture = \"picture.png\"\n[[model]]\nfile = \"sheet.obj\"\nup = \"z\"\n"
+          "materials = { \"*\" = \"paint\" }\n");
+    Write("sheet.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n");
+    WriteRgb(folder_ / "picture.png", Image<Rgb8>(4, 4, {200, 100, 50}));
+    Write("path.toml", "[replay]\nfile = \"recorded.txt\"\n");
+    Write("recorded.txt", "0 0 0 2 1 0 0 0\n0.5 0.1 0 2 1 0 0 0\n1 0.2 0 2 1 0 0 0\n");
+    Write("sensor.toml", "response = \"table.txt\"\n");
+    Write("table.txt", "0 0\n0.5 0.7\n1 1\n");
+  }
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  ProgramResult Run() const {
+    return RunSilt("render --scene " + Quoted(folder_ / "scene.toml") + " --trajectory " +
+                   Quoted(folder_ / "path.toml") + " --sensor " + Quoted(folder_ / "sensor.toml") +
+                   " --width 16 --spp 1 --fps 10 --duration 0.3 --allow-crossing --out " +
+                   Quoted(folder_ / "seq"));
+  }
+  TestFolder folder_;
+};
+
+// Old frames and new ones would lie side by side in one sequence.
+TEST_F(RenderOfFiles, GoesOnOnlyWithTheSceneRecordingAndTableThatItBeganWith) {
+  ASSERT_EQ(Run().exit_code, 0);
+  fs::remove(folder_ / "seq/rgb/000001.png");
+  const auto left = Contents(folder_ / "seq");
+  const auto refused = [&](const std::string& key) {
+    ExpectOneLineError(Run(), "holds another render (" + key + " is ");
+    EXPECT_EQ(Contents(folder_ / "seq"), left);
+    SetUp();
+  };
+  WriteRgb(folder_ / "picture.png", Image<Rgb8>(4, 4, {200, 100, 51}));
+  refused("world/scene_contents_hash");
+  Write("sheet.obj", "v 0 0 0\nv 2 0 0\nv 0 2.001 0\nf 1 2 3\n");
+  refused("world/scene_contents_hash");
+  Write("recorded.txt", "0 0 0 2 1 0 0 0\n0.5 0.1 0 2 1 0 0 0\n1 0.2001 0 2 1 0 0 0\n");
+  refused("world/path_poses_hash");
+  Write("table.txt", "0 0\n0.5 0.71\n1 1\n");
+  refused("render/response_hash");
+  const ProgramResult unchanged = Run();
+  EXPECT_EQ(unchanged.exit_code, 0) << unchanged.error;
+  EXPECT_THAT(unchanged.out, HasSubstr("1 of them new"));
+}
 
 TEST_F(RenderCommand, MissingFramesComeBackAndNothingElseIsTouched) {
   ASSERT_EQ(Run("seq").exit_code, 0);
