@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 
+#include "explained_findings.h"
 #include "shipped_scenes.h"
 #include "silt/sim/scene.h"
 #include "silt/sim/scene_check.h"
@@ -34,8 +36,27 @@ TEST_P(ShippedSceneTest, LoadsAndPassesTheCheck) {
   EXPECT_THAT(scene.instances, Each(Field(&Instance::triangle_count, Gt(0u))));
   EXPECT_FALSE(scene.lights.empty());
   EXPECT_LE(scene.mesh.triangles.size(), 400'000u);
-  for (const SceneFinding& finding : CheckScene(scene)) {
+}
+
+// What the check finds is mended, or told and explained in explained_findings.h; and what is told
+// there is still found.
+TEST_P(ShippedSceneTest, EveryFindingOfTheCheckIsExplained) {
+  const std::vector<SceneFinding> findings =
+      CheckScene(LoadScene(ShippedFile(GetParam(), "scene.toml")));
+  const auto explains = [](const ExplainedFinding& known, const SceneFinding& finding) {
+    return known.scene == GetParam() && known.Explains(finding.message);
+  };
+  for (const SceneFinding& finding : findings) {
     EXPECT_FALSE(finding.is_error) << finding.message;
+    EXPECT_TRUE(std::any_of(ExplainedFindings().begin(), ExplainedFindings().end(),
+                            [&](const auto& known) { return explains(known, finding); }))
+        << finding.message;
+  }
+  for (const ExplainedFinding& known : ExplainedFindings()) {
+    if (known.scene != GetParam()) continue;
+    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(),
+                            [&](const auto& finding) { return explains(known, finding); }))
+        << known.object << ' ' << known.finding;
   }
 }
 

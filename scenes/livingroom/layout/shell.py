@@ -40,7 +40,7 @@ def _south_wall(scene):
     t, h = WALL_DEPTH, HEIGHT
     place = Place(0, -t / 2)
     (a, b, f0, f1), (c, e, w0, w1) = FRENCH, WINDOW
-    parts = (("west", 0, a, 0, h), ("middle", b, c, 0, h), ("east", e, WIDE, 0, h), ("threshold", a, b, -0.1, f0),
+    parts = (("west", 0, a, 0, h), ("middle", b, c, 0, h), ("east", e, WIDE, 0, h), ("threshold", a, b, 0, f0),
              ("over french", a, b, f1, h), ("under window", c, e, 0, w0 - 0.03), ("over window", c, e, w1, h))
     for name, x0, x1, z0, z1 in parts:
         scene.box(f"wall south {name}", "marble" if name == "threshold" else "wall", (x1 - x0, t, z1 - z0), place,
@@ -106,12 +106,13 @@ def _curtains(scene, name, opening):
 def _balcony(scene):
     """A narrow balcony; the park is a picture some way off."""
     middle = (FRENCH[0] + FRENCH[1]) / 2
-    scene.box("balcony", "terrazzo", (3.4, 1.3, 0.14), Place(middle, -0.96, -0.16))
-    scene.model("balustrade", "iron-railing-2", Place(middle - 0.8, -1.5, -0.02), size=(1.6, 0.09, 0.95),
+    top = 0.02
+    scene.box("balcony", "terrazzo", (3.4, 1.3, top), Place(middle, -0.96, 0))
+    scene.model("balustrade", "iron-railing-2", Place(middle - 0.8, -1.5, top), size=(1.6, 0.09, 0.95),
                 materials={"iron": "iron"})
-    scene.model("balustrade 2", "iron-railing-2", Place(middle + 0.8, -1.5, -0.02), size=(1.6, 0.09, 0.95),
+    scene.model("balustrade 2", "iron-railing-2", Place(middle + 0.8, -1.5, top), size=(1.6, 0.09, 0.95),
                 materials={"iron": "iron"})
-    scene.model("balcony pot", "littlePlant", Place(middle + 1.35, -0.9, -0.02), size=(0.36, 0.36, 0.34))
+    scene.model("balcony pot", "littlePlant", Place(middle + 1.35, -0.9, top), size=(0.36, 0.36, 0.34))
     scene.table("quad", "outside", name="park", material="garden", corner=(-14, -12, -7.2), u=(32, 0, 0), v=(0, 0, 22))
 
 

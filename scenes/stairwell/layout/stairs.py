@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Flights of ten steps, their handrails and balusters, as meshes in world coordinates."""
 
-from hall import LANDING_X, NORTH_Y, SOUTH_Y, STOREY, TURN_X, WEST_X
+from hall import LANDING_X, LOW, NORTH_Y, SOUTH_Y, STOREY, TURN_X, WEST_X
 from mesh import Mesh
 from writer import Place
 
@@ -53,17 +53,19 @@ def _flight(f):
     def face(material, corners):    # anticlockwise from outside for a flight to the east
         mesh.face(material, corners if f.way > 0 else corners[::-1])
 
-    def under(x):
-        return f.nose_line(x) - RISE - THICK
+    def under(i):
+        return max(f.nose_line(f.x(i)) - RISE - THICK, LOW)     # the lowest flight ends on the floor
 
     for i in range(STEPS):
         a, b, low, high = f.x(i), f.x(i + 1), f.tread(i) - RISE, f.tread(i)
         face("riser", [(a, f.y0, low), (a, f.y0, high), (a, f.y1, high), (a, f.y1, low)])
         face("tread", [(a, f.y0, high), (b, f.y0, high), (b, f.y1, high), (a, f.y1, high)])
         for y, order in ((f.y0, 1), (f.y1, -1)):
-            face("riser", [(a, y, under(a)), (b, y, under(b)), (b, y, high), (a, y, high)][::order])
-    a, b = f.x(0), f.x(STEPS)
-    face("soffit", [(a, f.y0, under(a)), (a, f.y1, under(a)), (b, f.y1, under(b)), (b, f.y0, under(b))])
+            face("riser", [(a, y, under(i)), (b, y, under(i + 1)), (b, y, high), (a, y, high)][::order])
+    knees = [0, STEPS] if under(0) > LOW else [1, 2, STEPS]     # the line under the steps bends there
+    for i, k in zip(knees, knees[1:]):
+        a, b, low, high = f.x(i), f.x(k), under(i), under(k)
+        face("soffit", [(a, f.y0, low), (a, f.y1, low), (b, f.y1, high), (b, f.y0, high)])
     return mesh
 
 
@@ -126,7 +128,7 @@ def _dado(flights):
     for f in flights.values():
         y = f.y1 - 0.003 if f.y0 > 1 else f.y0 + 0.003
         ends = ((f.x(0), f.z), (f.x(STEPS), f.z + RISE * STEPS))
-        paint("dado", y, [(x, z - THICK, z + tall) for x, z in ends])
+        paint("dado", y, [(x, max(z - THICK, LOW), z + tall) for x, z in ends])
         paint("band", y, [(x, z + tall, z + tall + band) for x, z in ends])
     for y in (SOUTH_Y + 0.003, NORTH_Y - 0.003):
         for x0, x1, z in ((LANDING_X, 0, 0), (LANDING_X, 0, STOREY), (WEST_X, TURN_X, -STOREY / 2),
