@@ -41,6 +41,9 @@ SurfacePoint MakeSurfacePoint(const Scene& scene, const TriangleHit& hit, bool w
   smooth = SafelyNormalized(smooth, front);
   Vec3f texel{1, 1, 1};
   if (material.texture >= 0) {
+    // Of level 0, whatever the ray's cone: the reference's many samples average the texture
+    // themselves, over the very footprint of a pixel and through every bounce, where a mip level
+    // would blur it in advance. With few samples it aliases, and so do reflections on baked light.
     const Vec2f uv = TexcoordAt(mesh, triangle, hit.u, hit.v);
     texel = scene.textures[std::size_t(material.texture)].Sample(uv.x, uv.y, 0);
   }
