@@ -95,16 +95,16 @@ void Append(std::vector<T>& to, const std::vector<T>& more) {
 
 const std::vector<ConsistencyCase>& ConsistencyCases() {
   static const std::vector<ConsistencyCase> cases{
-      {"4 spp, 8 bits", 4},
-      {"4 spp, 8 bits, scrambled", 4, PixelPattern::kScrambled},
-      {"4 spp, 8 bits, gaussian", 4, PixelPattern::kShared, PixelFilter::kGaussian},
-      {"4 spp, float", 4, PixelPattern::kShared, PixelFilter::kBox, false},
-      {"4 spp, float, scrambled", 4, PixelPattern::kScrambled, PixelFilter::kBox, false},
-      {"64 spp, 8 bits", 64},
       {"64 spp, 8 bits, gaussian", 64, PixelPattern::kShared, PixelFilter::kGaussian},
+      {"64 spp, float, gaussian", 64, PixelPattern::kShared, PixelFilter::kGaussian, false},
+      {"64 spp, 8 bits", 64},
       {"64 spp, float", 64, PixelPattern::kShared, PixelFilter::kBox, false},
       {"64 spp, float, scrambled", 64, PixelPattern::kScrambled, PixelFilter::kBox, false},
-      {"64 spp, float, gaussian", 64, PixelPattern::kShared, PixelFilter::kGaussian, false}};
+      {"4 spp, 8 bits, gaussian", 4, PixelPattern::kShared, PixelFilter::kGaussian},
+      {"4 spp, 8 bits", 4},
+      {"4 spp, 8 bits, scrambled", 4, PixelPattern::kScrambled},
+      {"4 spp, float", 4, PixelPattern::kShared, PixelFilter::kBox, false},
+      {"4 spp, float, scrambled", 4, PixelPattern::kScrambled, PixelFilter::kBox, false}};
   return cases;
 }
 
@@ -135,27 +135,30 @@ ConsistencyResult MeasureConsistency(const World& world, const ConsistencyPlan& 
 
 DepthConsistency MeasureDepthConsistency(const World& world, const ConsistencyPlan& plan) {
   const sim::Renderer renderer(world.scene, Rendering(plan, {}));
+  DepthConsistency depth;
   std::vector<double> all;
   for (const Pair& pair : PairsOf(world, plan)) {
     ThrowIfInterrupted();
     const SE3d onto = world.path.WorldFromCamera(pair.onto_s);
-    Append(all, CompareDepths(*world.scene, renderer.options().camera,
-                              {{}, renderer.RenderDepth(onto), onto},
-                              world.path.WorldFromCamera(pair.from_s)));
+    const DepthDifferences differences = CompareDepths(*world.scene, renderer.options().camera,
+                                                       {{}, renderer.RenderDepth(onto), onto},
+                                                       world.path.WorldFromCamera(pair.from_s));
+    Append(all, differences.m);
+    depth.hidden += differences.hidden;
   }
-  DepthConsistency depth;
+  depth.pixels = all.size();
   depth.median_m = Quantile(all, 0.5);
   depth.percentile_999_m = Quantile(all, 0.999);
-  const auto within =
-      std::count_if(all.begin(), all.end(), [](double d) { return d <= kConsistent_m; });
-  depth.within_share = all.empty() ? 0 : double(within) / double(all.size());
+  depth.maximum_m = Quantile(all, 1);
+  depth.beyond = std::size_t(
+      std::count_if(all.begin(), all.end(), [](double d) { return d > kConsistent_m; }));
   return depth;
 }
 
 Json DepthConsistency::ToJson() const {
-  return {{"median_m", median_m},
-          {"percentile_99.9_m", percentile_999_m},
-          {"share_within_1e-5_m", within_share}};
+  return {{"median_m", median_m},    {"percentile_99.9_m", percentile_999_m},
+          {"maximum_m", maximum_m},  {"pixels", pixels},
+          {"beyond_1e-5_m", beyond}, {"hidden", hidden}};
 }
 
 Json ToJson(const std::vector<ConsistencyResult>& results) {
@@ -188,8 +191,9 @@ std::string FormatConsistency(const std::vector<ConsistencyResult>& results,
   }
   std::snprintf(
       line, sizeof line,
-      "Depths differ by %.1e m in the median, %.1e m at 99.9 %%; %.3f %% by 1e-5 m or less.\n",
-      depth.median_m, depth.percentile_999_m, 100 * depth.within_share);
+      "Depths differ by %.1e m in the median, %.1e m at 99.9 %%, %.1e m at most; %zu of %zu "
+      "pixels by more than 1e-5 m.\n",
+      depth.median_m, depth.percentile_999_m, depth.maximum_m, depth.beyond, depth.pixels);
   return text + line;
 }
 

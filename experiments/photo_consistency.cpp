@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "silt/experiments/spline_image.h"
+#include "silt/sim/centre_rays.h"
 
 namespace silt::experiments {
 namespace {
 
 constexpr double kSameSurface = 0.02;  // of the depth: between neighbours on one surface
-constexpr double kInBetween_m = 1e-3;  // nearer things hide the point
 constexpr int kMargin = 5;             // of pixels, in which a spline feels the picture's end
 
 // Whether the sixteen pixels next to (u, v) lie on the surface at depth z.
@@ -23,6 +23,15 @@ bool OnOneSurface(const Image<float>& depth_m, double u, double v, double z) {
     }
   }
   return true;
+}
+
+std::uint32_t FirstTriangle(const sim::LitScene& scene, const Vec3d& origin,
+                            const Vec3d& direction) {
+  sim::RayPacket rays{};
+  rays.Set(0, {origin.Cast<float>(), direction.Cast<float>()});
+  sim::HitPacket hits;
+  scene.tracer().Trace(rays, hits);
+  return hits.triangle[0];
 }
 
 }  // namespace
@@ -58,28 +67,37 @@ PhotoDifferences ComparePictures(const PinholeCamera& camera, const TrueView& on
   return differences;
 }
 
-std::vector<double> CompareDepths(const sim::LitScene& scene, const PinholeCamera& camera,
-                                  const TrueView& onto, const SE3d& world_from_other) {
-  std::vector<double> differences;
+DepthDifferences CompareDepths(const sim::LitScene& scene, const PinholeCamera& camera,
+                               const TrueView& onto, const SE3d& world_from_other) {
+  DepthDifferences differences;
   const SE3d other_from_world = world_from_other.Inverse();
-  for (int y = 0; y < camera.height; ++y) {
-    for (int x = 0; x < camera.width; ++x) {
-      const double z = onto.depth_m(x, y);
-      if (!(z > 0)) continue;
-      const Vec3d world = onto.world_from_camera * camera.Unproject(x, y, z);
-      const Vec3d point = other_from_world * world;
-      if (!(point.z > 0) || !std::isfinite(point.z)) continue;
-      // With a direction of z = 1 in the other camera, distances are depths.
-      const Vec3d direction = (1 / point.z) * (world - world_from_other.translation);
-      sim::RayPacket rays{};
-      rays.Set(0, {world_from_other.translation.Cast<float>(), direction.Cast<float>()});
+  const sim::CentreRays centre_rays({camera, nullptr}, onto.world_from_camera);
+  const auto visit = [&](int x, int y, std::uint32_t triangle) {
+    const Vec3d world = onto.world_from_camera * camera.Unproject(x, y, double(onto.depth_m(x, y)));
+    const double z = (other_from_world * world).z;
+    if (!(z > 0) || !std::isfinite(z)) return;
+    // With a direction of z = 1 in the other camera, distances are depths.
+    const Vec3d direction = (1 / z) * (world - world_from_other.translation);
+    if (FirstTriangle(scene, world_from_other.translation, direction) != triangle) {
+      ++differences.hidden;
+      return;
+    }
+    const double other_z = scene.plane(triangle).Distance(world_from_other.translation, direction);
+    differences.m.push_back(std::abs(other_z - z));
+  };
+  // The very rays that depth is rendered with, so that each pixel's triangle is the one it is of.
+  constexpr int kBlock = sim::CameraRays::kBlock;
+  for (int top = 0; top < camera.height; top += kBlock) {
+    for (int left = 0; left < camera.width; left += kBlock) {
+      sim::RayPacket rays;
       sim::HitPacket hits;
-      scene.tracer().Trace(rays, hits);
-      if (hits.triangle[0] == sim::kNoTriangle) continue;
-      const double other_z =
-          scene.plane(hits.triangle[0]).Distance(world_from_other.translation, direction);
-      const double difference = std::abs(other_z - point.z);
-      if (difference < kInBetween_m) differences.push_back(difference);
+      centre_rays.Fill(left, top, rays);
+      scene.tracer().TraceCoherent(rays, hits);
+      for (int i = 0; i < sim::kPacketSize; ++i) {
+        const int x = left + i % kBlock, y = top + i / kBlock;
+        if (!onto.depth_m.Contains(x, y) || hits.triangle[i] == sim::kNoTriangle) continue;
+        visit(x, y, hits.triangle[i]);
+      }
     }
   }
   return differences;

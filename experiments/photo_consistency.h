@@ -32,10 +32,15 @@ struct PhotoDifferences {
 PhotoDifferences ComparePictures(const PinholeCamera& camera, const TrueView& onto,
                                  const TrueView& from);
 
-// How far apart the surfaces lie, in metres along z, that the depth of `onto` and the exact ray
-// from `from` find on one line of sight. Pixels where another surface comes in between are left
-// out.
-std::vector<double> CompareDepths(const sim::LitScene& scene, const PinholeCamera& camera,
-                                  const TrueView& onto, const SE3d& world_from_other);
+// How far apart the places lie, in metres along z, that the depth of `onto` and the exact ray from
+// the other view find on one line of sight, wherever both see the same triangle. Pixels whose
+// triangle is hidden there by another one are counted alone; how far that one lies before it does
+// not matter.
+struct DepthDifferences {
+  std::vector<double> m;
+  std::size_t hidden = 0;
+};
+DepthDifferences CompareDepths(const sim::LitScene& scene, const PinholeCamera& camera,
+                               const TrueView& onto, const SE3d& world_from_other);
 
 }  // namespace silt::experiments

@@ -67,8 +67,9 @@ void AddPhotoConsistencyExperiment(CLI::App& experiments, const Invocation& invo
   command->footer(
       "Noise-free frame k + 10 is warped onto frame k by depth, poses and intrinsics, outside\n"
       "occlusions; differences are medians of luma in levels of 255. Where the gradient is 0.5 to\n"
-      "2 levels per pixel they show aliasing, elsewhere there is little to differ. Depths are\n"
-      "compared with the exact ray of the other frame.\n"
+      "2 levels per pixel they show aliasing, elsewhere there is little to differ. The first two\n"
+      "rows, of many samples under the Gaussian filter, alias least. Depths are\n"
+      "compared with the exact ray of the other frame where it meets the same triangle.\n"
       "Example: silt experiment photo-consistency --json consistency.json");
   command->callback([options, &invocation] { Run(*options, invocation); });
 }

@@ -17,9 +17,9 @@ namespace {
 constexpr ConsistencyPlan kPlan{320, 2, 10, 60};
 
 ConsistencyResult Measured(int samples, bool eight_bits,
-                           sim::PixelPattern pattern = sim::PixelPattern::kShared) {
-  return MeasureConsistency(StudioWorld(), kPlan,
-                            {"", samples, pattern, sim::PixelFilter::kBox, eight_bits});
+                           sim::PixelPattern pattern = sim::PixelPattern::kShared,
+                           sim::PixelFilter filter = sim::PixelFilter::kBox) {
+  return MeasureConsistency(StudioWorld(), kPlan, {"", samples, pattern, filter, eight_bits});
 }
 
 TEST(ConsistencyRun, FramesAgreeWithTheTruthAboutThem) {
@@ -31,6 +31,16 @@ TEST(ConsistencyRun, FramesAgreeWithTheTruthAboutThem) {
   EXPECT_LT(fine.median_gradient, coarse.median_gradient);
 }
 
+// What the simulator promises of many samples under the Gaussian filter.
+TEST(ConsistencyRun, AntiAliasedFramesAgreeWithinTheQuantisation) {
+  const auto gaussian = [](bool eight_bits) {
+    return Measured(64, eight_bits, sim::PixelPattern::kShared, sim::PixelFilter::kGaussian)
+        .median_gradient;
+  };
+  EXPECT_LT(gaussian(false), 0.08);
+  EXPECT_LT(gaussian(true), 0.25);
+}
+
 TEST(ConsistencyRun, ASharedPatternMakesNoNoise) {
   EXPECT_LT(Measured(4, false).median_gradient,
             Measured(4, false, sim::PixelPattern::kScrambled).median_gradient);
@@ -39,8 +49,10 @@ TEST(ConsistencyRun, ASharedPatternMakesNoNoise) {
 TEST(ConsistencyRun, DepthsPosesAndIntrinsicsAgree) {
   const DepthConsistency depth = MeasureDepthConsistency(StudioWorld(), kPlan);
   EXPECT_LT(depth.median_m, 1e-6);
-  EXPECT_LT(depth.percentile_999_m, 1e-5);
-  EXPECT_GT(depth.within_share, 0.999);
+  EXPECT_LT(depth.maximum_m, 1e-5);
+  EXPECT_EQ(depth.beyond, 0u);
+  EXPECT_GT(depth.pixels, 100'000u);
+  EXPECT_LT(depth.hidden, depth.pixels / 4);
 }
 
 TEST(ConsistencyRun, APathShorterThanAPairIsRefused) {
@@ -54,7 +66,8 @@ TEST(ConsistencyRun, TheCommandTellsEachCase) {
   const Json json = Json::parse(result.out);
   EXPECT_EQ(json["pictures"].size(), ConsistencyCases().size());
   EXPECT_GT(json["pictures"][0]["pixels"], 100);
-  EXPECT_LT(json["depth"]["median_m"], 1e-5);
+  EXPECT_LT(json["depth"]["maximum_m"], 1e-5);
+  EXPECT_EQ(json["depth"]["beyond_1e-5_m"], 0);
 }
 
 }  // namespace
