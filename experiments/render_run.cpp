@@ -72,7 +72,7 @@ class SequenceRender {
     // Of the whole path, so that a stretch has the noise that it has within the whole.
     const int index = int(std::llround(time_s * request_.plan.stretch.fps));
     writer_->Write(number, renderer_.Render(world_.Pose(), time_s, index));
-    truth_.Write(number);
+    truth_.Write(number, index);
   }
 
   void Finish() {

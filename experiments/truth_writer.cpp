@@ -54,11 +54,6 @@ std::string FormatImu(const ImuRecording& imu) {
   return text;
 }
 
-sim::RenderOptions WithoutNoise(sim::RenderOptions options) {
-  options.sensor.noise = {};
-  return options;
-}
-
 Json Conventions() {
   return {
       {"camera_axes", "x right, y down, z forward; pixel centres at integers"},
@@ -66,7 +61,10 @@ Json Conventions() {
       {"time",
        "of a frame: the middle of its exposure, of its middle row where the shutter rolls; depth, "
        "normals, ids and flow hold at the middle of each row's own exposure"},
-      {"sharp", "8-bit colours without blur and noise, of the middle of each row's exposure"},
+      {"sharp",
+       "8-bit colours without blur and noise, of the middle of each row's exposure, as bright as "
+       "the "
+       "frame"},
       {"depth_z", "float32 metres along the optical axis; 0: nothing"},
       {"depth_ray", "float32 metres from the camera's centre along the ray; 0: nothing"},
       {"normal", "unit vectors of the surface, on the side that is seen; 0: nothing"},
@@ -103,7 +101,6 @@ TruthWriter::TruthWriter(fs::path folder, const TruthSelection& selection, const
       selection_(selection),
       world_(world),
       renderer_(renderer),
-      noiseless_(renderer.lit_scene(), WithoutNoise(renderer.options())),
       flow_(world.scene->tracer(), renderer.options().camera, renderer.options().lens),
       poses_(std::move(poses)) {
   const sim::RenderOptions& options = renderer.options();
@@ -140,9 +137,9 @@ std::vector<fs::path> TruthWriter::SequenceFiles() const {
   return files;
 }
 
-void TruthWriter::Write(int number) const {
+void TruthWriter::Write(int number, int index) const {
   const TruthSelection& s = selection_;
-  if (s.sharp) WriteSharp(number);
+  if (s.sharp) WriteSharp(number, index);
   if (!s.depth && !s.normals && !s.ids && !s.flow) return;
   const sim::GeometryBuffers geometry =
       renderer_.RenderGeometry(world_.Pose(), poses_.at(std::size_t(number)).time_s);
@@ -158,10 +155,20 @@ sim::RowPoses TruthWriter::PosesOf(int number) const {
                           poses_[std::size_t(number)].time_s);
 }
 
-void TruthWriter::WriteSharp(int number) const {
+// An exposure that is metered in each frame is metered in the blurred one, or the two would differ
+// in brightness.
+void TruthWriter::WriteSharp(int number, int index) const {
   const double time_s = poses_.at(std::size_t(number)).time_s;
+  sim::RenderOptions options = renderer_.options();
+  options.sensor.noise = {};
+  if (options.exposure.kind == sim::Exposure::Kind::kPerFrame) {
+    options.exposure = {
+        sim::Exposure::Kind::kGiven,
+        sim::MeteredExposure({renderer_.RenderLinear(world_.Pose(), time_s, index)})};
+  }
+  const sim::Renderer noiseless(renderer_.lit_scene(), options);
   WriteRgb(folder_ / FileOf("sharp", number, ".png"),
-           noiseless_.Develop(noiseless_.RenderSharp(world_.Pose(), time_s, number), {}));
+           noiseless.Develop(noiseless.RenderSharp(world_.Pose(), time_s, index), {}));
 }
 
 void TruthWriter::WriteDepth(int number, const sim::GeometryBuffers& geometry) const {

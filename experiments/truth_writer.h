@@ -30,7 +30,7 @@ struct TruthSelection {
 // Writes what is true of a rendered sequence into its folder's truth/, of the middle of each row's
 // exposure. Nothing of it is noisy, and all but the sharp picture is that of the ray through each
 // pixel's centre.
-//   sharp/                         000000.png: what an instant's exposure shows
+//   sharp/                         000000.png: what an instant shows at the frame's own exposure
 //   depth_z/ depth_ray/            000000.npy: float32, metres; 0: nothing is seen
 //   normal_camera/ normal_world/   000000.npy: float32 × 3, unit, towards the camera
 //   instance/ material/            000000.png: 16 bits; what a number means is in legend.json
@@ -46,13 +46,14 @@ class TruthWriter {
 
   std::vector<std::filesystem::path> FrameFiles(int number) const;
   std::vector<std::filesystem::path> SequenceFiles() const;
-  void Write(int number) const;
+  // `index` is the frame's within the whole path, which noise and patterns are chosen by.
+  void Write(int number, int index) const;
   // `imu` as selected; poses from the first frame to `end_s`.
   void Finish(const ImuRecording& imu, double end_s) const;
 
  private:
   sim::RowPoses PosesOf(int number) const;
-  void WriteSharp(int number) const;
+  void WriteSharp(int number, int index) const;
   void WriteDepth(int number, const sim::GeometryBuffers& geometry) const;
   void WriteNormals(int number, const sim::GeometryBuffers& geometry) const;
   void WriteIds(int number, const sim::GeometryBuffers& geometry) const;
@@ -63,7 +64,6 @@ class TruthWriter {
   TruthSelection selection_;
   const World& world_;
   const sim::Renderer& renderer_;
-  const sim::Renderer noiseless_;
   sim::OpticalFlow flow_;
   std::optional<sim::LensMap> lens_;
   Trajectory poses_;

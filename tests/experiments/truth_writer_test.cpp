@@ -49,7 +49,7 @@ TEST_F(TruthWriterTest, FilesAreThoseThatWereAnnounced) {
   const ImuRecording imu = sim::RecordImu(StudioWorld().path, {}, 0.5, 0.3);
   std::vector<fs::path> announced = writer.SequenceFiles(), found;
   for (int number = 0; number < 3; ++number) {
-    writer.Write(number);
+    writer.Write(number, number);
     for (const fs::path& file : writer.FrameFiles(number)) announced.push_back(file);
   }
   writer.Finish(imu, 0.8);
@@ -77,16 +77,37 @@ TEST_F(TruthWriterTest, TheSharpPictureHasNeitherBlurNorNoise) {
   TruthSelection selection;
   selection.sharp = true;
   const TruthWriter writer(folder_.path(), selection, StudioWorld(), shaky, poses_);
-  writer.Write(1);
+  writer.Write(1, 1);
   EXPECT_EQ(ReadRgb(folder_ / "truth/sharp/000001.png"), perfect);
   EXPECT_FALSE(shaky.Render(StudioWorld().Pose(), time_s, 1).rgb == perfect);
+}
+
+// Blur darkens no picture: metered frame by frame, the sharp one is exposed as its frame was.
+TEST_F(TruthWriterTest, TheSharpPictureHasTheExposureOfItsFrame) {
+  const double time_s = poses_[1].time_s;
+  sim::RenderOptions options = SmallPictures(64);
+  options.exposure.kind = sim::Exposure::Kind::kPerFrame;
+  options.shutter = {.exposure_s = 0.5, .time_samples = 8};
+  const sim::Renderer blurred(StudioWorld().scene, options);
+  TruthSelection selection;
+  selection.sharp = true;
+  TruthWriter(folder_.path(), selection, StudioWorld(), blurred, poses_).Write(1, 7);
+  const Image<Vec3f> sharp = blurred.RenderSharp(StudioWorld().Pose(), time_s, 7);
+  const Image<Vec3f> linear = blurred.RenderLinear(StudioWorld().Pose(), time_s, 7);
+  const auto developed = [&](const Image<Vec3f>& metered) {
+    options.exposure = {sim::Exposure::Kind::kGiven, sim::MeteredExposure({metered})};
+    return sim::Renderer(StudioWorld().scene, options).Develop(sharp, {});
+  };
+  const Image<Rgb8> written = ReadRgb(folder_ / "truth/sharp/000001.png");
+  EXPECT_EQ(written, developed(linear));
+  EXPECT_FALSE(written == developed(sharp));
 }
 
 // In the world the floor's normals point up, from whichever frame they are seen.
 TEST_F(TruthWriterTest, NormalsAreUnitTowardsTheCameraAndUprightInTheWorld) {
   TruthSelection selection;
   selection.normals = selection.depth = true;
-  Writer(selection).Write(1);
+  Writer(selection).Write(1, 1);
   const auto camera = Load<Vec3f>("normal_camera/000001.npy");
   const auto world = Load<Vec3f>("normal_world/000001.npy");
   const auto depth_m = Load<float>("depth_z/000001.npy");
@@ -114,7 +135,7 @@ TEST_F(TruthWriterTest, NormalsAreUnitTowardsTheCameraAndUprightInTheWorld) {
 TEST_F(TruthWriterTest, FlowIsToTheNextAndThePreviousFrame) {
   TruthSelection selection;
   selection.flow = true;
-  Writer(selection).Write(1);
+  Writer(selection).Write(1, 1);
   const Image<float> depth_m = renderer_.RenderDepth(poses_[1].world_from_camera);
   const sim::OpticalFlow flow(StudioWorld().scene->tracer(), renderer_.options().camera);
   for (const int other : {0, 2}) {
