@@ -19,6 +19,17 @@ struct ImageTile {
 // start at multiples of kSide; the last ones may be smaller.
 void ForEachTile(int width, int height, const std::function<void(const ImageTile&)>& body);
 
+// For tests that a picture does not depend on the order of its tiles: while one of these lives,
+// ForEachTile begins with tile order(0, count), goes on with order(1, count) and so on; order must
+// be a permutation for each count. One at a time, made and destroyed where nothing is rendered.
+class ScopedTileOrder {
+ public:
+  explicit ScopedTileOrder(std::function<int(int turn, int count)> order);
+  ~ScopedTileOrder();
+  ScopedTileOrder(const ScopedTileOrder&) = delete;
+  ScopedTileOrder& operator=(const ScopedTileOrder&) = delete;
+};
+
 // Calls visit(x, y) for the upper left pixel of each packet's block in a tile, row by row.
 template <typename Visit>
 void ForEachBlock(const ImageTile& tile, const Visit& visit) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "silt/core/image.h"
+#include "silt/core/parallel.h"
 
 namespace silt::sim {
 namespace {
@@ -29,6 +30,21 @@ TEST(ImageTiles, CoverEveryPixelOnce) {
 
 TEST(ImageTiles, AnEmptyImageHasNone) {
   ForEachTile(0, 10, [](const ImageTile&) { FAIL(); });
+}
+
+TEST(ImageTiles, ATestMayGiveTheirOrder) {
+  const auto lefts = [] {
+    std::vector<int> order;
+    ForEachTile(64, 16, [&order](const ImageTile& tile) { order.push_back(tile.left); });
+    return order;
+  };
+  SetThreadCount(1);
+  {
+    const ScopedTileOrder reversed([](int turn, int count) { return count - 1 - turn; });
+    EXPECT_EQ(lefts(), (std::vector<int>{48, 32, 16, 0}));
+  }
+  EXPECT_EQ(lefts(), (std::vector<int>{0, 16, 32, 48}));
+  SetThreadCount(0);
 }
 
 }  // namespace
