@@ -13,7 +13,7 @@ namespace silt::sim {
 // A texture as a model brings it, not decoded yet.
 struct EncodedPicture {
   std::string place;    // for messages; different for different files
-  Bytes colour;         // a PNG, JPEG, … file; null: `texels` holds the picture
+  Bytes colour;         // a picture's file; null: `texels` holds the picture
   Image<Rgba8> texels;  // uncompressed
   std::string opacity_place;
   Bytes opacity;  // a file whose alpha, or brightness where it has none, replaces the alpha
@@ -23,7 +23,7 @@ struct EncodedPicture {
   }
 };
 
-// Any file that OpenCV decodes, 8 or 16 bits, gray or colour. Throws silt::Error with the place.
+// PNG, JPEG, BMP or TIFF, 8 or 16 bits, gray or colour. Throws silt::Error with the place.
 Image<Rgba8> DecodePicture(const EncodedPicture& picture);
 
 }  // namespace silt::sim

@@ -12,8 +12,8 @@ struct PictureSize {
   std::uint64_t width = 0, height = 0;
 };
 
-// The size that a PNG, JPEG or BMP file declares, without decoding it: some 100 bytes may declare
-// gigabytes. Nothing for other files and broken ones.
+// The size that a PNG, JPEG, BMP or TIFF file declares (of its first picture), without decoding it:
+// some 100 bytes may declare gigabytes. Nothing for other files and broken ones.
 std::optional<PictureSize> DeclaredPictureSize(std::string_view file);
 
 }  // namespace silt::sim

@@ -5,16 +5,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "mutations.h"
 #include "sample_model.h"
 #include "silt/core/error.h"
 #include "silt/sim/archive_io.h"
+#include "silt/sim/environment.h"
 #include "silt/sim/isolated_import.h"
 #include "silt/sim/path_file.h"
+#include "silt/sim/picture.h"
 #include "silt/sim/ray_tracer.h"
 #include "silt/sim/scene.h"
 #include "temp_folder.h"
@@ -220,13 +225,125 @@ TEST(MutatedInput, Models) {
   ImportMutations("t.stl", "t.stl", Mutations(150), {{"t.stl", stl}});
 }
 
+// A picture with some detail in each way that models bring: by extension, with what else its
+// encoder is told, and the share of mutations that are to be read, or nothing behind the head was
+// reached.
+struct PictureFile {
+  const char* name;
+  int type;
+  const char* extension;
+  double least_share = 0;
+  std::vector<int> parameters = {};
+};
+const std::vector<PictureFile> kPictureFiles{
+    {"png", CV_8UC4, ".png"},
+    {"png16", CV_16UC3, ".png"},
+    {"gray", CV_8UC1, ".png"},
+    {"jpeg", CV_8UC3, ".jpg", 0.1},
+    {"progressive", CV_8UC3, ".jpg", 0.1, {cv::IMWRITE_JPEG_PROGRESSIVE, 1}},
+    {"restarts", CV_8UC3, ".jpg", 0.1, {cv::IMWRITE_JPEG_RST_INTERVAL, 2}},
+    {"bmp", CV_8UC3, ".bmp", 0.1},
+    {"tiff", CV_8UC3, ".tiff", 0.05},
+    {"tiff16", CV_16UC3, ".tiff", 0.05, {cv::IMWRITE_TIFF_COMPRESSION, 1}},
+    {"deflated", CV_8UC4, ".tiff", 0.05, {cv::IMWRITE_TIFF_COMPRESSION, 8}},
+    {"float", CV_32FC3, ".tiff"},
+    {"hdr", CV_32FC3, ".hdr"}};
+
+std::string Encoded(const PictureFile& file) {
+  cv::Mat image(37, 41, CV_MAKETYPE(CV_MAT_DEPTH(file.type), CV_MAT_CN(file.type)));
+  cv::RNG random(7);
+  random.fill(image, cv::RNG::UNIFORM, 0, CV_MAT_DEPTH(file.type) == CV_16U ? 65536 : 256);
+  std::vector<unsigned char> bytes;
+  EXPECT_TRUE(cv::imencode(file.extension, image, bytes, file.parameters)) << file.name;
+  return {bytes.begin(), bytes.end()};
+}
+
+// Truevision's, which OpenCV does not read: 2 × 2 texels of 24 bits.
+const std::string kTga("\0\0\x02\0\0\0\0\0\0\0\0\0\x02\0\x02\0\x18\0abcdefghijkl", 30);
+
+void DecodeAsPicture(const std::string& bytes) {
+  EncodedPicture picture;
+  picture.place = "mutant";
+  picture.colour = std::make_shared<const std::string>(bytes);
+  const Image<Rgba8> decoded = DecodePicture(picture);
+  EXPECT_FALSE(decoded.empty());
+  EXPECT_LE(decoded.size(), 1u << 26);
+}
+
+// A PNG whose chunks (length, name, data, checksum) bear the checksums of what they hold now, so
+// that the decoder looks behind them.
+std::string WithChecksums(std::string png) {
+  const auto number = [&png](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint8_t(png[at + i]);
+    return value;
+  };
+  for (std::size_t at = 8; at + 12 <= png.size();) {
+    const std::size_t length = number(at);
+    if (length > png.size() - at - 12) break;
+    std::uint32_t crc = ~0u;
+    for (std::size_t i = at + 4; i < at + 8 + length; ++i) {
+      crc ^= std::uint8_t(png[i]);
+      for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
+    }
+    for (std::size_t i = 0; i < 4; ++i) png[at + 8 + length + i] = char(~crc >> (24 - 8 * i));
+    at += 12 + length;
+  }
+  return png;
+}
+
 TEST(MutatedInput, Pictures) {
-  ShareRead(SamplePng(true), Mutations(500), [](const std::string& bytes) {
-    EncodedPicture picture;
-    picture.place = "mutant.png";
-    picture.colour = std::make_shared<const std::string>(bytes);
-    EXPECT_FALSE(DecodePicture(picture).empty());
-  });
+  for (const PictureFile& file : kPictureFiles) {
+    SCOPED_TRACE(file.name);
+    const std::string good = Encoded(file);
+    const bool is_png = file.extension == std::string(".png");
+    const double share = ShareRead(good, Mutations(150), [is_png](const std::string& bytes) {
+      DecodeAsPicture(is_png ? WithChecksums(bytes) : bytes);
+    });
+    if (CV_MAT_DEPTH(file.type) == CV_32F) {
+      EXPECT_EQ(share, 0);
+    } else {
+      DecodeAsPicture(is_png ? WithChecksums(good) : good);
+      EXPECT_GE(share, file.least_share);
+    }
+  }
+  EXPECT_EQ(ShareRead(kTga, Mutations(50), DecodeAsPicture), 0);
+}
+
+// Half of a mutation's bytes are often in a head; here each byte of it takes extreme values in
+// turn.
+TEST(MutatedInput, HeadsOfPictures) {
+  for (const PictureFile& file : kPictureFiles) {
+    SCOPED_TRACE(file.name);
+    const std::string good = Encoded(file);
+    for (std::size_t at = 0; at < 60; ++at) {
+      for (const char value : {'\0', '\x01', '\x7f', '\x80', '\xff'}) {
+        std::string bytes = good;
+        bytes[at] = value;
+        SCOPED_TRACE(at);
+        try {
+          DecodeAsPicture(bytes);
+        } catch (const Error& e) {
+          ExpectOneLine(e.what());
+        }
+      }
+    }
+  }
+}
+
+TEST(MutatedInput, Environments) {
+  const TempFolder folder;
+  for (const char* const name : {"hdr", "float", "png16", "jpeg"}) {
+    const auto file =
+        std::find_if(kPictureFiles.begin(), kPictureFiles.end(),
+                     [&](const PictureFile& f) { return f.name == std::string(name); });
+    SCOPED_TRACE(name);
+    ShareRead(Encoded(*file), Mutations(100), [&](const std::string& bytes) {
+      const Environment environment =
+          LoadEnvironment(folder.Write(std::string("e") + file->extension, bytes), 1, 0);
+      EXPECT_TRUE(std::isfinite(environment.mean().x));
+    });
+  }
 }
 
 }  // namespace

@@ -7,7 +7,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "silt/core/error.h"
 #include "silt/sim/isolated_import.h"
+#include "silt/sim/lit_scene.h"
+#include "silt/sim/scene.h"
+#include "temp_folder.h"
 
 namespace silt::sim {
 namespace {
@@ -46,6 +50,39 @@ TEST(TestModels, AreReadOrRefusedInOneLine) {
     }
   }
   EXPECT_GT(read, 250) << "of " << tasks.size();
+}
+
+// What comes behind the import as well: materials, pictures, placement, the acceleration structure.
+TEST(TestModels, MakeScenesOrAreRefusedInOneLine) {
+  if (!fs::is_directory(kFolder)) GTEST_SKIP() << "the package assimp-testmodels is not installed";
+  const TempFolder folder;
+  const FolderSource source;
+  LightingOptions lighting;
+  lighting.mode = LightMode::kPath;
+  int loaded = 0, textured = 0;
+  for (const ImportTask& task : AllFiles(source)) {
+    SCOPED_TRACE(task.path);
+    std::string name;
+    for (const char c : task.path)
+      name += c == '\\' || c == '"' ? std::string("\\") + c : std::string(1, c);
+    const fs::path file = folder.Write("scene.toml",
+                                       "name = \"t\"\nambient = [1, 1, 1]\n[[model]]\n"
+                                       "file = \"" +
+                                           name + "\"\n");
+    try {
+      const LitScene lit(LoadScene(file), lighting);
+      EXPECT_FALSE(lit.scene().mesh.triangles.empty());
+      ++loaded;
+      textured += !lit.scene().textures.empty();
+    } catch (const Error& e) {
+      const std::string message = e.what();
+      EXPECT_THAT(message, testing::StartsWith(file.string() + ":"));
+      EXPECT_EQ(message.find('\n'), message.npos) << message;
+      EXPECT_LT(message.size(), file.string().size() + task.path.size() + 420);
+    }
+  }
+  EXPECT_GT(loaded, 230);
+  EXPECT_GT(textured, 20);
 }
 
 }  // namespace
