@@ -126,6 +126,7 @@ Image<float> DirectLight::RimShares(const View& view, const Image<char>& hidden)
           (is_hidden ? low[i] : high[i]) = 0.5f * (low[i] + high[i]);
         }
       }
+      if (std::none_of(is_rim, is_rim + count, [](bool rim) { return rim; })) break;
     }
     for (int i = 0; i < count; ++i) {
       if (!is_rim[i]) continue;
