@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "silt/core/camera.h"
 #include "silt/core/se3.h"
@@ -22,15 +23,22 @@ struct AlignSetup {
   std::optional<SE3d> initial;  // current_from_reference, in the same convention
 };
 
+// The kinds of starts that a pair can have: those of InitializerNames() without the ones that ask
+// for a motion before it or for the truth.
+std::vector<std::string> PairInitializerNames();
+
+// Throws silt::Error for a start that a pair cannot have, and for features beside an initial pose.
+void CheckStart(const AlignSetup& setup);
+
 struct AlignedPair {
-  SE3d current_from_reference;
   tracker::TrackingStatus status = tracker::TrackingStatus::kLost;
-  std::string message;                // one line unless tracked
-  std::array<double, 36> covariance;  // of ξ = (ω, v), left, row by row; zeros where lost
-  double residual = 0;                // root mean square of the intensity's, in [0, 1]
-  double inverse_depth_residual = 0;  // scale of those, 1/m; 0 where not compared
+  std::string message;                         // one line unless tracked
+  double time_s = 0;                           // of the current frame, where its file's name is one
+  std::optional<SE3d> current_from_reference;  // nothing where lost
+  std::array<double, 36> covariance{};         // of ξ = (ω, v), left, row by row; of a pose alone
+  double residual = 0;                         // root mean square of the intensity's, in [0, 1]
+  double inverse_depth_residual = 0;           // scale of those, 1/m; 0 where not compared
   int iterations = 0;
-  bool lost() const { return status == tracker::TrackingStatus::kLost; }
   double milliseconds = 0;  // from images in memory to the pose, both pyramids included
 };
 
@@ -41,7 +49,7 @@ AlignedPair AlignFiles(const PairFiles& files, const AlignSetup& setup);
 // The same pose for a camera that looks through a mirror: y axes point the other way.
 SE3d Mirrored(const SE3d& pose);
 
-Json ToJson(const AlignedPair& pair);
+Json ToJson(const AlignedPair& pair);         // null for what a lost pair does not have
 std::string Format(const AlignedPair& pair);  // lines for a person
 
 }  // namespace silt::experiments

@@ -61,6 +61,7 @@ void Run(Options options, const Invocation& invocation) {
   SetThreadCount(options.threads);
   SetCamera(options.camera, &options.setup);
   SetInitial(options.initial, &options.setup);
+  CheckStart(options.setup);
   const std::vector<PairFiles> pairs = Pairs(options);
   Json results = Json::array();
   std::string text;
@@ -77,6 +78,7 @@ void Run(Options options, const Invocation& invocation) {
   if (!options.json.empty()) {
     const Json config{{"camera", options.camera},
                       {"depth_per_metre", options.setup.depth_per_metre},
+                      {"initial", options.initial.empty() ? Json() : Json(options.initial)},
                       {"tracker", ToJson(options.setup.tracker)}};
     WriteJson(options.json,
               {{"manifest", MakeManifest(invocation.command_line, config, 0)}, {"pairs", results}});
@@ -110,8 +112,14 @@ void AddAlignCommand(CLI::App& program, const Invocation& invocation) {
       1e-3, 1e9);
   command
       ->add_option("--initial", options->initial,
-                   "Where to start: current_from_reference as tx ty tz qx qy qz qw")
+                   "Where to start, with --init auto, identity or rotation:\n"
+                   "current_from_reference as tx ty tz qx qy qz qw")
       ->expected(7);
+  command
+      ->add_option("--init", setup.tracker.initializer,
+                   "Where it starts: auto (as the preset has it), identity, rotation (a coarse\n"
+                   "alignment), surf, sift, orb or akaze")
+      ->capture_default_str();
   command->add_option("--preset", setup.tracker.preset, "accurate, fast, paper, paper-all-pixels")
       ->capture_default_str();
   AddBackendOption(*command, setup.tracker.backend);
@@ -123,6 +131,9 @@ void AddAlignCommand(CLI::App& program, const Invocation& invocation) {
       "y\n"
       "down, z forward, unless fy < 0); its covariance is that of ξ = (ω, v), applied on the "
       "left.\n"
+      "Its TUM line starts with the time that the current image's name tells, or with 0. A pair "
+      "that is\n"
+      "lost has none of these; in JSON they are null. Colours of 16 bits count as their upper 8.\n"
       "Example: silt align --ref a.png a_depth.png --cur b.png b_depth.png --camera 525 525 319.5 "
       "239.5");
   command->callback([options, &invocation] { Run(*options, invocation); });

@@ -13,7 +13,8 @@ namespace silt {
 // TUM's scale: 16-bit PNG depth of 5000 per metre, z along the optical axis; 0 is no measurement.
 inline constexpr double kTumDepthPerMetre = 5000;
 
-// Any 8- or 16-bit gray or colour file that OpenCV decodes, as 8-bit RGB; alpha is dropped.
+// Any 8- or 16-bit gray or colour file that OpenCV decodes, as 8-bit RGB: of 16 bits the upper
+// eight stay; alpha is dropped.
 Image<Rgb8> ReadRgb(const std::filesystem::path& file);
 
 // A 16-bit single-channel file, in metres.

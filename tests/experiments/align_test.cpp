@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -15,7 +18,10 @@
 namespace silt::experiments {
 namespace {
 
+namespace fs = std::filesystem;
+
 using testing::HasSubstr;
+using testing::StartsWith;
 
 double Distance(const SE3d& a, const SE3d& b) {
   return Norm((a * b.Inverse()).translation) + 2 * Norm((a * b.Inverse()).rotation.Log());
@@ -58,6 +64,12 @@ class AlignCommand : public testing::Test {
   static std::string Path(const std::string& name) { return (*folder_ / "s" / name).string(); }
   static std::string Ref(std::size_t i) {
     return " --ref " + Path(files_[i].first) + " " + Path(files_[i].second);
+  }
+  // What is written of one pair.
+  static Json Pair(const std::string& arguments) {
+    const ProgramResult result = RunSilt(arguments + " --json -");
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    return Json::parse(result.out)["pairs"][0];
   }
   static SE3d Truth(std::size_t reference, std::size_t current) {
     return (*truth_)[current].world_from_camera.Inverse() * (*truth_)[reference].world_from_camera;
@@ -103,7 +115,8 @@ TEST_F(AlignCommand, PrintsMatrixTumLineAndStatus) {
                                        Path(files_[1].second) + kCamera + " --preset fast");
   ASSERT_EQ(result.exit_code, 0) << result.error;
   EXPECT_THAT(result.out, HasSubstr(" 1.000000000\n"));
-  EXPECT_THAT(result.out, HasSubstr("qx qy qz qw: "));
+  EXPECT_THAT(result.out, HasSubstr("\nt tx ty tz qx qy qz qw: "));
+  EXPECT_THAT(result.out, HasSubstr("\ncovariance of (omega, v), rad and m:\n"));
   EXPECT_THAT(result.out, HasSubstr("standard deviations "));
   EXPECT_THAT(result.out, HasSubstr("tracked, residual 0.0"));
 }
@@ -114,9 +127,7 @@ TEST_F(AlignCommand, ANegativeFyMirrorsThePose) {
   const std::string pair =
       "align" + Ref(0) + " --cur " + Path(files_[2].first) + " " + Path(files_[2].second);
   const auto pose = [&](const std::string& camera) {
-    const ProgramResult result = RunSilt(pair + camera + " --json -");
-    EXPECT_EQ(result.exit_code, 0) << result.error;
-    return PoseOf(Json::parse(result.out)["pairs"][0]["current_from_reference"]);
+    return PoseOf(Pair(pair + camera)["current_from_reference"]);
   };
   const SE3d mirrored = pose(" --camera 240.6 -240 159.5 119.5");
   EXPECT_LT(Distance(mirrored, Mirrored(Truth(0, 2))), 1e-3);
@@ -142,6 +153,103 @@ TEST_F(AlignCommand, SaysSoWhenLost) {
   const Json pair = Json::parse(result.out)["pairs"][0];
   EXPECT_EQ(pair["status"], "lost");
   EXPECT_THAT(pair["message"].get<std::string>(), HasSubstr("lost: "));
+  for (const char* name : {"current_from_reference", "tum", "covariance"}) {
+    EXPECT_TRUE(pair.at(name).is_null()) << name;
+  }
+  const std::string lines = RunSilt("align" + Ref(0) + " --cur " + Path("gray.png") + kCamera).out;
+  EXPECT_THAT(lines, StartsWith("lost: "));
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1);
+}
+
+// Six rows of six, the numbers of the JSON to the digits that are printed.
+TEST_F(AlignCommand, PrintsTheCovariance) {
+  const std::string pair = "align" + Ref(0) + " --cur " + Path(files_[1].first) + kCamera;
+  const std::vector<double> wanted = Pair(pair)["covariance"];
+  std::istringstream lines(RunSilt(pair).out);
+  std::string line;
+  while (std::getline(lines, line) && !line.starts_with("covariance")) {
+  }
+  for (const double value : wanted) {
+    double printed = 0;
+    ASSERT_TRUE(lines >> printed);
+    EXPECT_NEAR(printed, value, 0.006 * std::abs(value));
+  }
+}
+
+// The time is that of the current image's name.
+TEST_F(AlignCommand, WritesATumLine) {
+  fs::copy(Path(files_[1].first), *folder_ / "s/1.25.png");
+  fs::copy(Path(files_[1].first), *folder_ / "s/one.png");
+  for (const auto& [name, time_s] : {std::pair{"1.25.png", 1.25}, std::pair{"one.png", 0.0}}) {
+    const Json pair = Pair("align" + Ref(0) + " --cur " + Path(name) + kCamera);
+    std::istringstream line(pair["tum"].get<std::string>());
+    const Trajectory read = ParseTumTrajectory(line, name);
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0].time_s, time_s);
+    EXPECT_LT(Distance(read[0].world_from_camera, PoseOf(pair["current_from_reference"])), 1e-8);
+  }
+}
+
+// With one solve at one level there is no way to the truth but from beside it.
+TEST_F(AlignCommand, StartsFromTheInitialPose) {
+  const std::string pair = "align" + Ref(0) + " --cur " + Path(files_[3].first) + " " +
+                           Path(files_[3].second) + " --preset paper:max_iterations=1 ";
+  const auto error = [&](const std::string& camera, const SE3d& initial, const SE3d& wanted) {
+    const auto& [q, t] = initial;
+    std::ostringstream numbers;
+    numbers << " --initial " << t.x << " " << t.y << " " << t.z << " " << q.x << " " << q.y << " "
+            << q.z << " " << q.w;
+    const Json found = Pair(pair + camera + numbers.str())["current_from_reference"];
+    return found.is_null() ? 1.0 : Distance(PoseOf(found), wanted);
+  };
+  const SE3d truth = Truth(0, 3);
+  ASSERT_GT(Distance(truth, Mirrored(truth)), 0.02);
+  EXPECT_LT(error(kCamera, truth, truth), 2e-3);
+  EXPECT_GT(error(kCamera, SE3d{}, truth), 1e-2);
+  const std::string mirror = " --camera 240.6 -240 159.5 119.5";
+  EXPECT_LT(error(mirror, Mirrored(truth), Mirrored(truth)), 2e-3);
+  EXPECT_GT(error(mirror, truth, Mirrored(truth)), 1e-2);
+}
+
+TEST_F(AlignCommand, TheManifestHoldsTheStart) {
+  const std::string pair = "align" + Ref(0) + " --cur " + Path(files_[1].first) + kCamera;
+  const auto config = [&](const std::string& options) {
+    return Json::parse(RunSilt(pair + options + " --json -").out)["manifest"]["config"];
+  };
+  EXPECT_TRUE(config("")["initial"].is_null());
+  const Json given = config(" --init rotation --initial 0 0 0.5 0 0 0 1");
+  EXPECT_EQ(given["initial"], (std::vector<double>{0, 0, 0.5, 0, 0, 0, 1}));
+  EXPECT_EQ(given["tracker"]["initializer"], "rotation");
+}
+
+// Of a pair that is too far apart for the start that it has else.
+TEST_F(AlignCommand, StartsAsItIsTold) {
+  const std::string pair = "align" + Ref(0) + " --cur " + Path(files_[3].first) + " " +
+                           Path(files_[3].second) + kCamera +
+                           " --preset paper:max_iterations=1 --init ";
+  const auto error = [&](const std::string& kind) {
+    const Json found = Pair(pair + kind)["current_from_reference"];
+    return found.is_null() ? 1.0 : Distance(PoseOf(found), Truth(0, 3));
+  };
+  const double still = error("identity");
+  for (const char* kind : {"orb", "auto"}) EXPECT_LT(error(kind), 0.5 * still) << kind;
+  EXPECT_GT(std::abs(error("rotation") - still), 1e-3);  // a turn alone is not the motion
+}
+
+// The same depths in steps of a millimetre, and gray images of 16 bits.
+TEST_F(AlignCommand, ReadsOtherDepthScalesAndSixteenBits) {
+  const auto rewrite = [&](std::size_t i, const std::string& name) {
+    const Image<Rgb8> rgb = ReadRgb(Path(files_[i].first));
+    Image<std::uint16_t> gray(rgb.width(), rgb.height());
+    for (std::size_t k = 0; k < gray.size(); ++k) gray.data()[k] = 257 * rgb.data()[k].g;
+    WriteGray(Path(name + ".png"), gray);
+    WriteDepth(Path(name + "-depth.png"), ReadDepth(Path(files_[i].second)), 1000);
+    return Path(name + ".png") + " " + Path(name + "-depth.png");
+  };
+  const Json pair = Pair("align --ref " + rewrite(0, "ref") + " --cur " + rewrite(3, "cur") +
+                         kCamera + " --depth-scale 1000");
+  EXPECT_EQ(pair["status"], "tracked");
+  EXPECT_LT(Distance(PoseOf(pair["current_from_reference"]), Truth(0, 3)), 2e-3);
 }
 
 TEST_F(AlignCommand, BadInputIsToldInOneLine) {
@@ -157,6 +265,10 @@ TEST_F(AlignCommand, BadInputIsToldInOneLine) {
   EXPECT_THAT(error(Ref(0) + cur + " --camera 0 240 160 120"), HasSubstr("--camera: fx"));
   EXPECT_THAT(error(Ref(0) + cur + kCamera + " --depth-scale 0"), HasSubstr("--depth-scale"));
   EXPECT_THAT(error(Ref(0) + cur + kCamera + " --initial 0 0 0 0 0 0 0"), HasSubstr("--initial"));
+  EXPECT_THAT(error(Ref(0) + cur + kCamera + " --init truth"), HasSubstr("--init 'truth'"));
+  EXPECT_THAT(error(Ref(0) + cur + kCamera + " --init previous"), HasSubstr("there are: auto,"));
+  EXPECT_THAT(error(Ref(0) + cur + kCamera + " --init orb --initial 0 0 0 0 0 0 1"),
+              HasSubstr("--initial: --init orb"));
   EXPECT_THAT(error(Ref(0) + " --cur /none.png" + kCamera), HasSubstr("/none.png"));
   EXPECT_THAT(error("--pairs /none.txt" + kCamera), HasSubstr("/none.txt"));
   std::ofstream(*folder_ / "s/bad.txt") << "\n" << files_[0].first << " gone.png gone.png\n";

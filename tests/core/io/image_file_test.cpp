@@ -82,6 +82,8 @@ TEST_F(ImageFileTest, GrayAlphaAndSixteenBitsBecomeRgb) {
   EXPECT_EQ(ReadRgb(alpha)(0, 0), (Rgb8{3, 2, 1}));
   const fs::path wide = Png("wide.png", cv::Mat(2, 2, CV_16UC3, cv::Scalar(0, 0, 0x8000)));
   EXPECT_EQ(ReadRgb(wide)(0, 0), (Rgb8{128, 0, 0}));
+  const fs::path deep = Png("deep.png", cv::Mat(2, 2, CV_16UC1, cv::Scalar(0x4dff)));
+  EXPECT_EQ(ReadRgb(deep)(0, 0), (Rgb8{0x4d, 0x4d, 0x4d}));
 }
 
 TEST_F(ImageFileTest, DepthRoundTripIsRoundedToTheStep) {
