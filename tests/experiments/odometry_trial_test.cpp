@@ -76,10 +76,12 @@ TEST(OdometryTrial, CountsErrorsBelowBounds) {
   EXPECT_EQ(trial.Worst().error_m, 0.03);
 }
 
+constexpr int kMotions = 12;
+
 class OpencvsTest : public testing::TestWithParam<const char*> {};
 
-// A few of the hundred motions; the experiment runs them all. In this scene of few things the
-// largest takes the faster preset one level more than it has.
+// Some of the hundred motions, which the experiment runs all: each takes about half a second of
+// rendering and tracking.
 TEST_P(OpencvsTest, IsPassed) {
   const sim::RenderOptions rendering = SmallPictures(640);
   const sim::Renderer renderer(StudioWorld().scene, rendering);
@@ -90,19 +92,18 @@ TEST_P(OpencvsTest, IsPassed) {
   };
   const Frame frame = rendered(SE3d{});
   const auto run = [&](const MovedFrame& moved) {
-    return RunTrial(frame, rendering.camera, moved, GetParam(), 5, 3);
+    return RunTrial(frame, rendering.camera, moved, GetParam(), kMotions, 3);
   };
   const OdometryTrial warped = run([&](const SE3d& current_from_frame) {
     return ForwardWarp(frame, rendering.camera, current_from_frame);
   });
-  EXPECT_EQ(warped.BelowMotion(), 5);
-  EXPECT_EQ(warped.Below(4e-3, 4e-3), 5);
-  EXPECT_EQ(run(rendered).Below(1e-3, 1e-3), 5);
-  EXPECT_EQ(TrialRows({warped})[0].at("below_motion"), 5);
+  EXPECT_EQ(warped.BelowMotion(), kMotions);
+  EXPECT_EQ(warped.Below(4e-3, 4e-3), kMotions);
+  EXPECT_EQ(run(rendered).Below(1e-4, 1e-4), kMotions);
+  EXPECT_EQ(TrialRows({warped})[0].at("below_motion"), kMotions);
 }
 
-INSTANTIATE_TEST_SUITE_P(Presets, OpencvsTest,
-                         testing::Values("accurate", "fast:max_iterations=2-5-10-20-20"));
+INSTANTIATE_TEST_SUITE_P(Presets, OpencvsTest, testing::Values("accurate", "fast"));
 
 }  // namespace
 }  // namespace silt::experiments
