@@ -18,7 +18,10 @@ run_packages=(
   sweethome3d-furniture       # the models of the scenes
   python3 python3-matplotlib  # the figures of the reports
 )
-test_packages=(libgtest-dev libgmock-dev assimp-testmodels)
+test_packages=(
+  libgtest-dev libgmock-dev assimp-testmodels
+  qemu-user  # plays processors without AVX
+)
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 build=$root/build/release
