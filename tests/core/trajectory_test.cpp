@@ -87,6 +87,7 @@ struct BadLine {
   const char* text;
   const char* complaint;
 };
+void PrintTo(const BadLine& bad, std::ostream* out) { *out << bad.text; }
 
 class BadTrajectoryLine : public testing::TestWithParam<BadLine> {};
 

@@ -12,6 +12,9 @@
 #include "studio_world.h"
 
 namespace silt::experiments {
+
+static void PrintTo(StartMethod method, std::ostream* out) { *out << Name(method); }
+
 namespace {
 
 tracker::Keyframe KeyframeAt(double time_s, const sim::RenderOptions& rendering) {

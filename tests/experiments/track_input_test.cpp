@@ -158,6 +158,9 @@ struct Spoiled {
   const char* text;  // nothing: the file is removed
   const char* complaint;
 };
+void PrintTo(const Spoiled& spoiled, std::ostream* out) {
+  *out << spoiled.file << ' ' << spoiled.complaint;
+}
 
 class BadTrackInput : public TrackInput, public testing::WithParamInterface<Spoiled> {};
 
@@ -178,8 +181,7 @@ INSTANTIATE_TEST_SUITE_P(Files, BadTrackInput,
                                          Spoiled{"rgb.txt", "0.0\n", ":1: expected: time file"},
                                          Spoiled{"depth/000000.png", nullptr, "no such image file"},
                                          Spoiled{"rgb/000003.png", "PNG", "is not an image"},
-                                         Spoiled{"camera.txt", "1 2 3\n", "expected one line"}),
-                         [](const auto& p) { return "case" + std::to_string(p.index); });
+                                         Spoiled{"camera.txt", "1 2 3\n", "expected one line"}));
 
 }  // namespace
 }  // namespace silt::experiments

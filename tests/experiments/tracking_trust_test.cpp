@@ -58,6 +58,7 @@ struct Disturbance {
   const char* name;
   Frame (*at)(double time_s);
 };
+void PrintTo(const Disturbance& disturbance, std::ostream* out) { *out << disturbance.name; }
 
 class TrackingTrust : public testing::TestWithParam<std::tuple<const char*, Disturbance>> {
  protected:

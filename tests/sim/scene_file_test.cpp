@@ -158,6 +158,7 @@ struct BadScene {
   const char* after_material;  // its first line is line 3 of the file
   const char* message;         // after the file's name
 };
+void PrintTo(const BadScene& bad, std::ostream* out) { *out << bad.message; }
 
 class SceneFileBadTest : public testing::TestWithParam<BadScene> {};
 

@@ -56,6 +56,7 @@ struct BadValue {
   const char* toml;
   const char* message;
 };
+void PrintTo(const BadValue& bad, std::ostream* out) { *out << bad.message; }
 
 class TomlTableBadValueTest : public testing::TestWithParam<BadValue> {};
 

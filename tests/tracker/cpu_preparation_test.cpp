@@ -15,6 +15,9 @@
 #include "silt/core/random.h"
 
 namespace silt::tracker {
+
+static void PrintTo(SimdLevel level, std::ostream* out) { *out << Name(level); }
+
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();

@@ -16,6 +16,11 @@
 
 // The current image interpolated over 4×4 pixels, by the CPU's backend.
 namespace silt::tracker {
+
+static void PrintTo(Interpolant interpolant, std::ostream* out) {
+  *out << (interpolant == Interpolant::kBSpline ? "b_spline" : "catmull_rom");
+}
+
 namespace {
 
 const SE3d kMotion = SE3d::Exp({{0.02, -0.03, 0.05}, {0.05, -0.02, 0.04}});

@@ -159,6 +159,9 @@ Image<float> Noisy(Image<float> image, double sigma, bool smeared, std::uint64_t
 struct NoiseCase {
   bool robust, smeared;
 };
+void PrintTo(const NoiseCase& each, std::ostream* out) {
+  *out << (each.robust ? "robust" : "squares") << (each.smeared ? "_smeared" : "_white");
+}
 
 class CovarianceOf : public testing::TestWithParam<NoiseCase> {};
 

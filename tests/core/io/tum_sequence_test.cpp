@@ -252,6 +252,7 @@ struct BadList {
   const char* text;
   const char* complaint;
 };
+void PrintTo(const BadList& bad, std::ostream* out) { *out << bad.file << bad.complaint; }
 
 class BadTumList : public TumSequenceTest, public testing::WithParamInterface<BadList> {
  protected:

@@ -91,6 +91,8 @@ inline std::string MachineName(const testing::TestParamInfo<Machine>& each) {
                                             : "Gpu";
 }
 
+inline void PrintTo(Machine machine, std::ostream* out) { *out << MachineName({machine, 0}); }
+
 #define INSTANTIATE_BACKENDS(Suite) \
   INSTANTIATE_TEST_SUITE_P(         \
       , Suite, testing::Values(Machine::kForward, Machine::kBackward, Machine::kGpu), MachineName)

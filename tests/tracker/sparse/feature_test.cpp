@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -26,6 +27,9 @@ struct Kind {
   FeatureKind kind;
   std::size_t numbers, bytes;  // of a descriptor
 };
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << std::array{"surf", "sift", "orb", "akaze"}[std::size_t(kind.kind)];
+}
 
 class EveryFeature : public testing::TestWithParam<Kind> {
  protected:

@@ -33,6 +33,9 @@ SparseEstimate Estimate(SparseInitializer& initializer, const Keyframe& keyframe
 struct Motion {
   double degrees, metres;
 };
+void PrintTo(const Motion& motion, std::ostream* out) {
+  *out << motion.degrees << "_deg_" << motion.metres << "_m";
+}
 
 class SparseInitializerMotion : public testing::TestWithParam<Motion> {};
 
