@@ -89,9 +89,9 @@ TEST(PhotoConsistency, DepthsAgreeUnlessAPoseIsWrong) {
   EXPECT_GT(largest_and_median(wrong).first, 0.01);
 }
 
-// A plate half a millimetre before a wall: what it hides is hidden, and no difference in depth. Seen
-// from the left through a long lens, half a millimetre of the wall lies beside the plate's edge that
-// it hides from the right.
+// A plate half a millimetre before a wall: what it hides is hidden, and no difference in depth.
+// Seen from the left through a long lens, half a millimetre of the wall lies beside the plate's
+// edge that it hides from the right.
 TEST(PhotoConsistency, WhatIsCloseBeforeASurfaceHidesIt) {
   sim::Scene scene;
   scene.ambient = {1, 1, 1};

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "silt_program.h"
@@ -61,6 +64,27 @@ TEST(RenderBench, TheCommandTimesTheBake) {
   EXPECT_THAT(result.out, HasSubstr("with 16 instants"));
   EXPECT_THAT(result.out, HasSubstr("shading"));
   EXPECT_THAT(result.out, ::testing::Not(HasSubstr("not measured")));
+}
+
+// A floor of 12 m × 12 m has enough samples for its light to be kept.
+TEST(RenderBench, LoadingIsTimedWithoutTheBakeAlsoWhereNothingIsCached) {
+  const TestFolder folder;
+  std::ofstream(folder / "scene.toml")
+      << "name = \"Floor\"\nambient = [1, 1, 1]\n[[material]]\nname = \"gray\"\n"
+         "[[quad]]\nmaterial = \"gray\"\ncorner = [-6, -6, 0]\nu = [12, 0, 0]\nv = [0, 12, 0]\n";
+  std::ofstream(folder / "path.toml")
+      << "[line]\nfrom = [0, 0, 2]\nto = [1, 0, 2]\nduration_s = 1\nlook_at = [0, 1, 0]\n";
+  const auto start = std::chrono::steady_clock::now();
+  const ProgramResult result =
+      RunSilt("bench render --scene '" + (folder / "scene.toml").string() + "' --trajectory '" +
+                  (folder / "path.toml").string() +
+                  "' --width 16 --instants 1 --repeats 1 --no-bake --json -",
+              "XDG_CACHE_HOME='" + folder.path().string() + "'");
+  const double all_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_FALSE(std::filesystem::is_empty(folder / "silt"));  // it was computed, and kept
+  EXPECT_LT(double(Json::parse(result.out)["load_s"]), 0.3 * all_s);
 }
 
 }  // namespace
