@@ -110,8 +110,7 @@ Gathered IndirectLight::Gather(const Vec3f& position, const Vec3f& unit_normal, 
   Gathered result;
   result.irradiance = (std::numbers::pi_v<float> / float(sums.rays)) * sums.radiance;
   result.distance_m = sums.nearness > 0 ? float(double(sums.rays) / sums.nearness) : 1e30f;
-  result.closed =
-      sums.farthest_m <= kBuriedM || sums.backs >= kBacksOfBuried * double(sums.rays);
+  result.closed = sums.farthest_m <= kBuriedM || sums.backs >= kBacksOfBuried * double(sums.rays);
   result.buried = result.closed || result.distance_m <= kCoveredM;
   return result;
 }

@@ -23,7 +23,8 @@ struct Gathered {
   float distance_m = 0;
   // Inside something: all rays end close by, or at backs. Nobody looks at this place.
   bool closed = false;
-  // The same, or under something so near that samples farther apart than that cannot tell its light.
+  // The same, or under something so near that samples farther apart than that cannot tell its
+  // light.
   bool buried = false;
 };
 

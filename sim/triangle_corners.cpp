@@ -13,6 +13,9 @@ Vec3f SafelyNormalized(const Vec3f& v, const Vec3f& otherwise) {
   return norm > 1e-12f ? (1 / norm) * v : otherwise;
 }
 
+// A weight that is 0 but for rounding.
+constexpr float kOnEdge = 1e-6f;
+
 }  // namespace
 
 TriangleCorners::TriangleCorners(const Mesh& mesh, const Triangle& triangle) {
@@ -35,7 +38,7 @@ Vec3f TriangleCorners::Normal(const Vec3f& w) const {
 Vec3f TriangleCorners::Inward(const Vec3f& weight) const {
   Vec3f sum;
   for (int i = 0; i < 3; ++i) {
-    if ((&weight.x)[i] > 0) continue;
+    if ((&weight.x)[i] > kOnEdge) continue;
     const Vec3f& a = position[(i + 1) % 3];
     const Vec3f along = SafelyNormalized(position[(i + 2) % 3] - a, {});
     const Vec3f height = position[i] - a - Dot(position[i] - a, along) * along;

@@ -102,10 +102,10 @@ TrackedFrame DoubtfulFrame(TrackerOptions options, const std::optional<SE3d>& an
 TEST_P(OwnPreset, ADoubtfulFrameIsTriedAgainFromTheInitializersStart) {
   int calls = 0;
   const SE3d truth = TruePose(2).Inverse() * TruePose(0);
-  const TrackedFrame doubtful = DoubtfulFrame(GetParam(), {}, &calls);
+  const TrackedFrame doubtful = DoubtfulFrame(Preset(), {}, &calls);
   EXPECT_EQ(calls, 1);
   ASSERT_EQ(doubtful.status, TrackingStatus::kDoubtful) << doubtful.message;
-  const TrackedFrame tracked = DoubtfulFrame(GetParam(), truth, &calls);
+  const TrackedFrame tracked = DoubtfulFrame(Preset(), truth, &calls);
   EXPECT_EQ(calls, 2);
   EXPECT_EQ(tracked.status, TrackingStatus::kTracked) << tracked.message;
   EXPECT_LT(Distance(tracked.world_from_camera, TruePose(2)), 4e-3);
@@ -116,17 +116,17 @@ TEST_P(OwnPreset, ADoubtfulFrameIsTriedAgainFromTheInitializersStart) {
 // that takes it from the initializer anyway.
 TEST_P(OwnPreset, TheLesserDoubtIsKept) {
   int calls = 0;
-  const TrackedFrame alone = DoubtfulFrame(GetParam(), {}, &calls);
+  const TrackedFrame alone = DoubtfulFrame(Preset(), {}, &calls);
   for (const double off_m : {-0.9, 30.0}) {
     const SE3d wrong = (TruePose(2) * SE3d::Exp({{}, {off_m, 0, 0}})).Inverse() * TruePose(0);
-    const TrackedFrame kept = DoubtfulFrame(GetParam(), wrong, &calls);
+    const TrackedFrame kept = DoubtfulFrame(Preset(), wrong, &calls);
     EXPECT_EQ(kept.status, TrackingStatus::kDoubtful);
     EXPECT_EQ(kept.message, alone.message);
     EXPECT_EQ(Distance(kept.world_from_camera, alone.world_from_camera), 0) << off_m;
     EXPECT_EQ(kept.evidence.unexplained_variance, alone.evidence.unexplained_variance);
   }
   EXPECT_EQ(calls, 3);
-  TrackerOptions always = GetParam();
+  TrackerOptions always = Preset();
   always.always_initialize = true;
   DoubtfulFrame(always, {}, &calls);
   EXPECT_EQ(calls, 4);
@@ -137,7 +137,7 @@ TEST_P(OwnPreset, AnUncertainFrameIsNotTriedAgain) {
   int calls = 0;
   auto initializer = std::make_unique<FrameInitializer>();
   initializer->calls = &calls;
-  TrackerOptions options = GetParam();
+  TrackerOptions options = Preset();
   options.alignment.max_iterations.pop_back();
   options.trust.doubtful_uncertainty_rad = 1e-9;
   KeyframeTracker tracker = MakeTracker(std::move(initializer), options);
