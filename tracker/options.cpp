@@ -106,7 +106,6 @@ TrackerOptions AccuratePreset() {
   options.alignment.robust_gradient = 8.0 / 255;
   options.alignment.depth_residual = true;
   options.alignment.depth_patch_px = 6;
-  options.alignment.max_disagreement = 60;
   options.alignment.covariance_factor = 2;
   options.alignment.min_update_norm = 2e-6;
   options.alignment.coarser_update_norm = 4;
