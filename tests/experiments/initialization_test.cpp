@@ -44,7 +44,7 @@ TEST(Initialization, TriesEveryStart) {
   const sim::RenderOptions rendering = SmallPictures(640);
   const tracker::Keyframe keyframe = KeyframeAt(1, rendering);
   const auto outcomes =
-      OutcomesOf(RenderAt(StudioWorld(), rendering, 1.2), keyframe, rendering.camera);
+      OutcomesOf(RenderAt(StudioWorld(), rendering, 1.25), keyframe, rendering.camera);
   ASSERT_EQ(outcomes.size(), 9u);
   for (const StartOutcome& outcome : outcomes) EXPECT_TRUE(outcome.available);
   const auto of = [&](StartMethod method) { return outcomes[std::size_t(method)]; };
@@ -70,7 +70,7 @@ TEST_P(FeatureStart, LiesBesideTheTruth) {
   const sim::RenderOptions rendering = SmallPictures(640);
   static const tracker::Keyframe keyframe = KeyframeAt(1, rendering);
   static const auto outcomes =
-      OutcomesOf(RenderAt(StudioWorld(), rendering, 1.2), keyframe, rendering.camera);
+      OutcomesOf(RenderAt(StudioWorld(), rendering, 1.25), keyframe, rendering.camera);
   const StartOutcome& outcome = outcomes[std::size_t(GetParam())];
   EXPECT_LT(outcome.start.distance_m, 0.01);
   EXPECT_LT(outcome.start.angle_deg, 0.5);
