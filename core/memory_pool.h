@@ -9,7 +9,7 @@
 // the next one too. Any number of threads, and a block may return on another one than it came by.
 namespace silt {
 
-// At least so many bytes, aligned as operator new does it; larger ones than 16 KiB, and all under
+// Of a std::pmr pool, aligned as operator new does it; those larger than 16 KiB, and all under
 // AddressSanitizer, which is to see their lifetimes, come from operator new.
 void* TakeBlock(std::size_t bytes);
 // `bytes` as they were asked for.

@@ -7,56 +7,28 @@
 #include <cstring>
 #include <memory>
 #include <set>
+#include <vector>
 
 #include "silt/core/parallel.h"
 
 namespace silt {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kPools = false;
-#else
-constexpr bool kPools = true;
-#endif
-
-TEST(MemoryPool, GivesOutWhatCameBack) {
-  if (!kPools) GTEST_SKIP() << "AddressSanitizer sees every lifetime";
-  for (const std::size_t bytes : {1, 64, 65, 3000, 16384}) {
-    void* const first = TakeBlock(bytes);
-    std::memset(first, 1, bytes);
-    ReturnBlock(first, bytes);
-    void* const second = TakeBlock(bytes);
-    EXPECT_EQ(second, first) << bytes;
-    ReturnBlock(second, bytes);
-  }
-}
-
-// A block serves every number of bytes that it holds, and no larger one.
-TEST(MemoryPool, BlocksAreLargeEnough) {
-  if (!kPools) GTEST_SKIP() << "AddressSanitizer sees every lifetime";
-  void* const small = TakeBlock(100);
-  ReturnBlock(small, 100);
-  void* const same = TakeBlock(128);
-  EXPECT_EQ(same, small);
-  ReturnBlock(same, 128);
-  void* const larger = TakeBlock(129);
-  EXPECT_NE(larger, small);
-  ReturnBlock(larger, 129);
-}
-
+// Small ones and large ones, of which each is written from end to end.
 TEST(MemoryPool, NoBlockIsOutTwice) {
-  std::set<void*> out;
-  for (int i = 0; i < 600; ++i) out.insert(TakeBlock(200));
-  EXPECT_EQ(out.size(), 600u);
-  for (void* const block : out) ReturnBlock(block, 200);
+  for (const std::size_t bytes : {1, 200, 16384, 1 << 20}) {
+    std::vector<unsigned char*> out;
+    for (int i = 0; i < 60; ++i) {
+      out.push_back(static_cast<unsigned char*>(TakeBlock(bytes)));
+      std::memset(out.back(), i, bytes);
+    }
+    for (int i = 0; i < 60; ++i) {
+      EXPECT_EQ(out[std::size_t(i)][0], i) << bytes;
+      EXPECT_EQ(out[std::size_t(i)][bytes - 1], i) << bytes;
+      ReturnBlock(out[std::size_t(i)], bytes);
+    }
+  }
   ReturnBlock(nullptr, 200);
-}
-
-TEST(MemoryPool, LargeOnesAreNotKept) {
-  const std::size_t bytes = 1 << 20;
-  void* const block = TakeBlock(bytes);
-  std::memset(block, 1, bytes);
-  ReturnBlock(block, bytes);
 }
 
 TEST(MemoryPool, AnyNumberOfThreadsMayUseIt) {
@@ -77,14 +49,16 @@ struct Derived : Base, Pooled {
   char rest[500] = {};
 };
 
-// Through a pointer to a base that knows of no pool.
+// Through a pointer to a base that knows of no pool: 100 MB in all, of which little is ever held.
 TEST(MemoryPool, ObjectsReturnWhoeverOwnsThem) {
-  if (!kPools) GTEST_SKIP() << "AddressSanitizer sees every lifetime";
-  std::unique_ptr<Base> object = std::make_unique<Derived>();
-  const void* const first = dynamic_cast<void*>(object.get());
-  object.reset();
-  object = std::make_unique<Derived>();
-  EXPECT_EQ(dynamic_cast<void*>(object.get()), first);
+  std::set<const void*> places;
+  for (int i = 0; i < 200'000; ++i) {
+    const std::unique_ptr<Base> object = std::make_unique<Derived>();
+    places.insert(dynamic_cast<void*>(object.get()));
+  }
+#if !defined(__SANITIZE_ADDRESS__)  // which gives no place out twice before long
+  EXPECT_LT(places.size(), 1000u);
+#endif
 }
 
 }  // namespace
