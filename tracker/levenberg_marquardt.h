@@ -39,6 +39,8 @@ struct AlignmentPlan {
   // MeanRobustSquare(robust_scale): what makes a scale of the residuals a standard deviation.
   double robust_share = 1;
   double step_factor = 1;  // CurvatureLoss(robust_scale): how far short weighted squares fall
+
+  bool operator==(const AlignmentPlan&) const = default;
 };
 
 enum class AlignmentFailure { kNone, kTooFewPixels, kNoSolution, kNoLevel, kNoTexture };

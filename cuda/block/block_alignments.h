@@ -28,7 +28,6 @@ class BlockAlignments {
   std::vector<tracker::FinishedAlignment> Run(const tracker::AlignmentJobs& jobs) const {
     std::vector<AlignTask> tasks;
     std::vector<AlignStart> starts;
-    // The same images are seen through the same options: all jobs of a batch have those.
     std::map<std::pair<const void*, const void*>, int> of_pair;
     for (const tracker::AlignmentJob& job : jobs) {
       int task = int(tasks.size());
@@ -37,6 +36,7 @@ class BlockAlignments {
                    .first->second;
       }
       if (task == int(tasks.size())) tasks.push_back(TaskOf(job));
+      SILT_CHECK(tasks[std::size_t(task)].plan == job.plan);  // one for all jobs of a pair
       starts.push_back({task, job.initial});
     }
     return Run(std::move(tasks), starts);
