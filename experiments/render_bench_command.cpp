@@ -79,11 +79,11 @@ Built Build(sim::Scene scene) {
 
 // Light that the cache lacks is computed first and read in a second go, which is the one that
 // counts. (That of a small scene is computed each time: it is not kept.)
-Built BuildFromCache(const sim::Scene& scene) {
-  Built built = Build(scene);
+Built BuildFromCache(sim::Scene scene, const std::filesystem::path& file) {
+  Built built = Build(std::move(scene));
   if (!built.computed_light) return built;
   built.scene.reset();
-  return Build(scene);
+  return Build(sim::LoadScene(file));
 }
 
 // Of this process, or of the one among its children, which import the models, that took most.
@@ -102,11 +102,11 @@ void Run(const Options& options, const Invocation& invocation) {
   const auto scene_file = SceneFile(options.scene);
   const auto path_file = PathFile(scene_file, options.trajectory);
   const Stopwatch load;
-  const sim::Scene scene = sim::LoadScene(scene_file);
+  sim::Scene scene = sim::LoadScene(scene_file);
   double load_s = load.Seconds();
   std::optional<double> bake_s;
   if (!options.no_bake) bake_s = BakeSeconds(scene);
-  const Built built = BuildFromCache(scene);
+  const Built built = BuildFromCache(std::move(scene), scene_file);
   load_s += built.seconds;
 
   const World world{scene_file, path_file, built.scene, sim::LoadCameraPath(path_file)};

@@ -13,8 +13,9 @@
 namespace silt::sim {
 
 // Finds the cells of a grid in which direct light bends so much that its samples do not tell it,
-// and what falls at finer places there. Indirect light, which bends less, is that of the samples.
-// All of it is the same for every seed, thread count and run.
+// and what falls at finer places there. Indirect light, which bends less, is that of the samples;
+// surfaces that reflect nothing stay as they are. What is refined is the same for every thread
+// count and run.
 class LightRefinement {
  public:
   LightRefinement(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,

@@ -30,8 +30,8 @@ struct LightingOptions {
   float gather_tolerance = 0.035f;   // this share of the light
   int bounce_directions = 32;        // and for the reflections before the last
   int bounces = 10;                  // of these, the rest being extrapolated after the fourth
-  // Cells between samples are stored finely where direct light, at the middle of a cell or of one of
-  // its borders, differs by more than this share of all light from what the samples say.
+  // Cells between samples are stored finely where direct light, at the middle of a cell or of one
+  // of its borders, differs by more than this share of all light from what the samples say.
   float refine_tolerance = 0.03f;
 
   // Keep the light of a large scene on disk, see light_cache.h.

@@ -55,10 +55,10 @@ struct AlignmentOptions {
   // Compares each keyframe's intensity with a gain and an offset of its own, which are found on the
   // way, in closed form at each pose; needs robust_scale.
   bool affine_brightness = false;
-  double depth_patch_px = 1;   // at the finest level: noise of depths is alike over so many a side
-  // Intensities lose weight where they contradict the depths by more than this χ² of six parameters,
-  // and contradict themselves more than those do, see ResidualAgreement: colours that are not
-  // registered to depths have nothing wrong that their noise would tell. 0: they keep it.
+  double depth_patch_px = 1;  // at the finest level: noise of depths is alike over so many a side
+  // Intensities lose weight where they contradict the depths by more than this χ² of six
+  // parameters, and contradict themselves more than those do, see ResidualAgreement: colours that
+  // are not registered to depths have nothing wrong that their noise would tell. 0: they keep it.
   double max_disagreement = 0;
   bool rotation_only = false;  // the translation stays as it is
   // By which the covariance is larger than the residuals tell: both images are sampled and their

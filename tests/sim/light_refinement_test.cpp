@@ -56,26 +56,35 @@ double Mean(const std::vector<float>& values) {
   return sum / double(values.size());
 }
 
+struct Means {
+  double refined, plain;  // with fine cells, and without
+  float refined_p99;
+};
+
+Means MeansOf(const Scene& scene, float low, float high) {
+  const std::vector<float> refined = Differences(scene, 0.03f, low, high);
+  return {Mean(refined), Mean(Differences(scene, 10, low, high)),
+          refined[refined.size() * 99 / 100]};
+}
+
 // The shadow of a bar that is thinner than samples are apart.
 TEST(LightRefinement, FindsAThinShadowBetweenSamples) {
   SceneBuilder builder = LampOverFloor();
   builder.AddBox({0.1f, 0.25f, 0.1f}, {0.45f, 0.262f, 0.112f}, builder.AddMaterial(Vec3f{}));
-  const std::vector<float> refined = Differences(builder.scene, 0.03f, 0.2f, 0.4f),
-                           plain = Differences(builder.scene, 10, 0.2f, 0.4f);
-  EXPECT_LT(Mean(refined), 0.3 * Mean(plain));
-  EXPECT_LT(Mean(refined), 0.009);
-  EXPECT_LT(refined[refined.size() * 99 / 100], 0.11f);
+  const Means means = MeansOf(builder.scene, 0.2f, 0.4f);
+  EXPECT_LT(means.refined, 0.3 * means.plain);
+  EXPECT_LT(means.refined, 0.009);
+  EXPECT_LT(means.refined_p99, 0.11f);
 }
 
-// Beside a box that stands on the floor: of its places below the box nobody sees any, and their
+// Beside a box that stands on the floor: of the places below the box nobody sees any, and their
 // darkness does not leak out from under it.
 TEST(LightRefinement, LeavesOutWhatLiesUnderThings) {
   SceneBuilder builder = LampOverFloor();
   builder.AddBox({0.2f, 0.2f, 0}, {0.3f, 0.3f, 0.1f}, builder.AddMaterial(Vec3f{}));
-  const std::vector<float> refined = Differences(builder.scene, 0.03f, 0.301f, 0.4f),
-                           plain = Differences(builder.scene, 10, 0.301f, 0.4f);
-  EXPECT_LT(Mean(refined), 0.6 * Mean(plain));
-  EXPECT_LT(Mean(refined), 0.006);
+  const Means means = MeansOf(builder.scene, 0.301f, 0.4f);
+  EXPECT_LT(means.refined, 0.6 * means.plain);
+  EXPECT_LT(means.refined, 0.006);
 }
 
 // Nothing is close, and the lamp's light is smooth.
