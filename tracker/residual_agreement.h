@@ -13,7 +13,8 @@ namespace silt::tracker {
 
 // Whether intensities and inverse depths, each alone, want the same pose. A kind k has the optimum
 // ξ_k and the covariance C_k = κ_k·H_k⁻¹, with κ_k = tr(H_k⁻¹·Σg·gᵀ)/6 of its stripes' gradients
-// about their mean: the more its parts contradict each other, the larger. With d = ξ_I − ξ_Z,
+// about their mean: the more its parts contradict each other, the larger; 1 for independent noise
+// of the σ in units of which residuals are, and not less where they are better. With d = ξ_I − ξ_Z,
 // χ² = dᵀ·(C_I + C_Z)⁻¹·d is 6 in the mean where noise alone parts them. Both kinds are looked at
 // in turn, first where both together have led, and then where a step of its own leads either.
 class ResidualAgreement {
@@ -54,7 +55,7 @@ class ResidualAgreement {
   // the intensities. Depths are metric; intensities owe it to the calibration of another camera.
   SILT_HOST_DEVICE double IntensityShare(double max_square) const {
     const double intensity = scattered_[0], depth = scattered_[1];
-    if (!(intensity > depth && depth > 0 && Square(1) > max_square)) return 0;
+    if (!(intensity > depth && Square(1) > max_square)) return 0;
     constexpr double mean_square = 6, step = 1.25, most = 1e4;
     double factor = 1;
     while (factor < most && Square(factor) > mean_square) factor *= step;
@@ -77,7 +78,8 @@ class ResidualAgreement {
       ldlt.Solve(column);
       trace += column[j];
     }
-    scattered_[kind] = trace / 6 / free_share;
+    const double kappa = trace / 6 / free_share;
+    scattered_[kind] = kappa > 1 ? kappa : 1;
   }
 
   // χ² with `factor` times the covariance of the intensities.
