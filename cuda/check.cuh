@@ -11,9 +11,13 @@
 
 namespace silt::cuda {
 
+// An error that is told is not to be found again by the next check.
+inline void ForgetLastError() noexcept { (void)cudaGetLastError(); }
+
 // Every call of CUDA's goes through one of these.
 inline void Check(cudaError_t status, const char* what) {
   if (status == cudaSuccess) return;
+  ForgetLastError();
   throw Error(std::string("CUDA: ") + what + ": " + cudaGetErrorString(status));
 }
 
@@ -23,8 +27,5 @@ inline void Report(cudaError_t status, const char* what) noexcept {
   if (status == cudaSuccess || status == cudaErrorCudartUnloading) return;
   std::fprintf(stderr, "CUDA: %s: %s\n", what, cudaGetErrorString(status));
 }
-
-// An error that is an answer is told elsewhere, and is not to be found again by the next check.
-inline void ForgetLastError() noexcept { (void)cudaGetLastError(); }
 
 }  // namespace silt::cuda

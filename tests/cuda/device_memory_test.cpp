@@ -12,7 +12,7 @@
 namespace silt::cuda {
 namespace {
 
-constexpr std::size_t kTooMuch = std::size_t(1) << 50;
+constexpr std::size_t kTooMuch = std::size_t(1) << 42;
 
 template <typename Allocate>
 std::string ErrorOf(const Allocate& allocate) {
