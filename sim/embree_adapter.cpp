@@ -52,9 +52,11 @@ void FillRays(const RayPacket& in, RTCRay16& out) {
   std::memcpy(out.dir_x, in.direction_x, bytes);
   std::memcpy(out.dir_y, in.direction_y, bytes);
   std::memcpy(out.dir_z, in.direction_z, bytes);
-  std::memcpy(out.tnear, in.near, bytes);
-  std::memcpy(out.tfar, in.far, bytes);
   for (int i = 0; i < kPacketSize; ++i) {
+    // Where 16 rays are more than the processor's registers hold, Embree goes by the bounds alone:
+    // a lane without a ray has an empty stretch, whatever it holds.
+    out.tnear[i] = in.valid[i] != 0 ? in.near[i] : 0;
+    out.tfar[i] = in.valid[i] != 0 ? in.far[i] : -1;
     out.time[i] = 0;
     out.mask[i] = 0xffffffffu;
     out.id[i] = 0;
