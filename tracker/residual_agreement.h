@@ -29,7 +29,7 @@ class ResidualAgreement {
   SILT_HOST_DEVICE bool of_depth() const { return taken_ % 2 == 1; }
   SILT_HOST_DEVICE const SE3d& pose() const { return pose_[taken_ % 2]; }
 
-  SILT_HOST_DEVICE void Take(const NormalEquations& equations) {
+  [[gnu::noinline]] SILT_HOST_DEVICE void Take(const NormalEquations& equations) {
     const int kind = taken_ % 2;
     for (int i = 0, k = 0; i < 6; ++i) {
       for (int j = i; j < 6; ++j, ++k) {
@@ -49,13 +49,12 @@ class ResidualAgreement {
     ++taken_;
   }
 
-  // What an intensity counts for each depth, both in units of their σ, where χ² is above the bound
-  // and intensities contradict themselves more than depths do: C_I is multiplied by what brings χ²
-  // down to its mean (a variance component, Helmert's). 0: they agree, or nothing tells against
-  // the intensities. Depths are metric; intensities owe it to the calibration of another camera.
+  // What an intensity counts for each depth, both in units of their σ, where χ² is above the bound:
+  // C_I is multiplied by what brings χ² down to its mean (a variance component, Helmert's). 0: they
+  // agree. Depths are metric; intensities owe it to the calibration of another camera.
   SILT_HOST_DEVICE double IntensityShare(double max_square) const {
     const double intensity = scattered_[0], depth = scattered_[1];
-    if (!(intensity > depth && Square(1) > max_square)) return 0;
+    if (!(Square(1) > max_square)) return 0;
     constexpr double mean_square = 6, step = 1.25, most = 1e4;
     double factor = 1;
     while (factor < most && Square(factor) > mean_square) factor *= step;
@@ -83,7 +82,7 @@ class ResidualAgreement {
   }
 
   // χ² with `factor` times the covariance of the intensities.
-  SILT_HOST_DEVICE double Square(double factor) const {
+  [[gnu::noinline]] SILT_HOST_DEVICE double Square(double factor) const {
     const kernel::Ldlt6 intensity(hessian_[0]), depth(hessian_[1]);
     double covariance[6][6];
     for (int j = 0; j < 6; ++j) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "analytic_room.h"
 #include "silt/core/random.h"
@@ -63,8 +64,8 @@ TEST(ResidualAgreement, ColoursOfAnotherFocalLengthLoseWeight) {
 
 TEST(ResidualAgreement, RegisteredColoursKeepIt) { EXPECT_EQ(Error(1, kBound), Error(1, 0)); }
 
-// Two kinds with H = I whose gradients alone lead to `apart` of the first parameter, and whose
-// stripes scatter by κ.
+// Two kinds with H = 1000·I whose gradients alone lead to `apart` of the first parameter, and whose
+// stripes scatter by `kappa` thousandths: 1e-3 is what noise alone leaves.
 double Share(double apart, double intensity_kappa, double depth_kappa) {
   ResidualAgreement agreement;
   agreement.Begin({});
@@ -73,23 +74,32 @@ double Share(double apart, double intensity_kappa, double depth_kappa) {
     const double x = agreement.pose().Log().omega.x;
     NormalEquations equations;
     for (const int k : {0, 6, 11, 15, 18, 20}) {
-      equations.hessian[k] = 1;
-      equations.scatter[k] = kappa * (kScatterStripes - 1) / kScatterStripes;
+      equations.hessian[k] = 1000;
+      equations.scatter[k] = 1e6 * kappa * (kScatterStripes - 1) / kScatterStripes;
     }
-    equations.gradient[0] = agreement.of_depth() ? x : x - apart;
+    equations.gradient[0] = 1000 * (agreement.of_depth() ? x : x - apart);
     agreement.Take(equations);
   }
   return agreement.IntensityShare(20);
 }
 
-TEST(ResidualAgreement, BlamesTheIntensitiesAlone) {
-  // χ² = 0.1²/(κ_I + κ_Z).
-  EXPECT_EQ(Share(0.1, 4e-4, 2e-4), 0);
-  EXPECT_EQ(Share(0.1, 1e-4, 2e-4), 0);
-  // f·κ_I + κ_Z = 0.1²/6, by steps of a quarter.
-  const double share = Share(0.1, 2e-4, 1e-4), factor = 0.5 / share;
-  EXPECT_GT(factor, (0.01 / 6 - 1e-4) / 2e-4 * 0.99);
-  EXPECT_LT(factor, (0.01 / 6 - 1e-4) / 2e-4 * 1.26);
+TEST(ResidualAgreement, BlamesTheIntensities) {
+  const double apart = 0.5;
+  // χ² = 0.5²/(κ_I + κ_Z), all in units of what Share() takes for 1.
+  EXPECT_EQ(Share(apart, 10e-3, 3e-3), 0);
+  // f·κ_I + κ_Z = 0.5²/6, by steps of a quarter; whichever kind contradicts itself more.
+  for (const auto& [intensity, depth] : {std::pair{4e-3, 2e-3}, {2e-3, 4e-3}}) {
+    const double factor = depth / intensity / Share(apart, intensity, depth);
+    const double wanted = (apart * apart / 6 - depth) / intensity;
+    EXPECT_GT(factor, wanted * 0.99);
+    EXPECT_LT(factor, wanted * 1.26);
+  }
+}
+
+// What scatters less than its noise does so by chance, or because it is exact.
+TEST(ResidualAgreement, TakesNothingForBetterThanItsNoise) {
+  EXPECT_EQ(Share(0.5, 1e-9, 1e-9), Share(0.5, 1e-3, 1e-3));
+  EXPECT_GT(Share(0.5, 1e-9, 1e-9), 0);
 }
 
 }  // namespace
