@@ -3,6 +3,7 @@
 #include "silt/sim/light_cache.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Rises with every change of what SolveLight or SurfaceGrid compute.
-constexpr std::uint32_t kVersion = 6;
+constexpr std::uint32_t kVersion = 7;
 constexpr std::size_t kDigestSize = 32;
 constexpr std::string_view kPrefix = "light-";
 constexpr std::size_t kEntries = 8;  // of some 100 MB for a furnished room
@@ -45,13 +46,18 @@ std::string Checksum(const BakedLight& light) {
       .Digest();
 }
 
-// Another process may do the same: what is gone already is no failure.
+// Another process may do the same: what is gone already is no failure. Parts that have not grown for
+// an hour belong to no writer any more.
 void RemoveOldEntries(const fs::path& folder) {
   std::vector<std::pair<fs::file_time_type, fs::path>> entries;
   std::error_code ignored;
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const bool is_light = entry.path().filename().string().starts_with(kPrefix);
-    if (is_light) entries.push_back({entry.last_write_time(ignored), entry.path()});
+    const std::string name = entry.path().filename().string();
+    const fs::file_time_type written = entry.last_write_time(ignored);
+    if (name.starts_with(kPrefix)) entries.push_back({written, entry.path()});
+    const bool is_part = IsPartOfFile(entry.path()) && name.substr(1).starts_with(kPrefix);
+    if (is_part && written < long_ago) fs::remove(entry.path(), ignored);
   }
   std::sort(entries.rbegin(), entries.rend());
   for (std::size_t i = kEntries; i < entries.size(); ++i) fs::remove(entries[i].second, ignored);

@@ -167,6 +167,20 @@ TEST_F(LightCache, KeepsTheEntriesWrittenLast) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 9);
 }
 
+TEST_F(LightCache, RemovesWhatAWriterThatWasKilledLeft) {
+  const fs::path dead = folder_ / ".light-1.part-12-0", alive = folder_ / ".light-2.part-13-0",
+                 other = folder_ / ".other.part-12-0";
+  for (const fs::path& file : {dead, alive, other}) {
+    Overwrite(file, "a part");
+    fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(2));
+  }
+  fs::last_write_time(alive, fs::file_time_type::clock::now());
+  WriteLight(folder_ / "light-new", SomeLight());
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(alive));
+  EXPECT_TRUE(fs::exists(other));
+}
+
 TEST_F(LightCache, WithoutAHomeThereIsNone) {
   const char* home = std::getenv("HOME");
   const std::string kept = home ? home : "";
