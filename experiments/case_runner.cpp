@@ -32,6 +32,7 @@ std::shared_ptr<const sim::LitScene> LoadLitScene(const std::filesystem::path& f
   Progress progress(1);
   double done = 0;
   lighting.progress = [&](double share) {
+    ThrowIfInterrupted();
     progress.Advance(share - std::exchange(done, share), "light of " + file.string());
   };
   return std::make_shared<const sim::LitScene>(std::move(scene), lighting);

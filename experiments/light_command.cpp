@@ -61,6 +61,7 @@ std::shared_ptr<const sim::LitScene> Bake(const Options& options, std::uint64_t 
   lighting.seed = seed;
   lighting.specular = options.reference.reflection;
   lighting.progress = [&](double share) {
+    ThrowIfInterrupted();
     progress.Advance(share - std::exchange(done, share), "light of seed " + std::to_string(seed));
   };
   return std::make_shared<const sim::LitScene>(sim::LoadScene(SceneFile(options.scene)), lighting);
