@@ -55,8 +55,13 @@ class SceneChecker {
     const auto shines = [](const Material& m) { return Largest(m.emission) > 0; };
     const bool emits = std::any_of(scene_.materials.begin(), scene_.materials.end(), shines);
     if (!scene_.lights.empty() || scene_.environment || Largest(scene_.ambient) > 0) return;
-    Fail(emits ? "nothing lights the scene: materials that emit are only seen; add a [[light]]"
-               : "nothing lights the scene: add a [[light]] or an ambient radiance");
+    if (emits) {
+      Warn(
+          "materials that emit are all that lights the scene: paths aim at them, but baked light "
+          "finds them by chance, with noise; add a [[light]]");
+    } else {
+      Fail("nothing lights the scene: add a [[light]] or an ambient radiance");
+    }
   }
 
   void CheckMaterial(const Material& m) {

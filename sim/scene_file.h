@@ -42,8 +42,9 @@
 //   texture = "carpet.png"     default: none
 //   tile_m = [1.0, 1.0]        width and height of one repeat of the picture. Default: the picture
 //                              covers each face once (primitives), lies as the model says (models)
-//   emission = [r, g, b]       linear radiance, multiplied by the texture; default none. It is
-//                              seen; what lights a room is a [[light]]
+//   emission = [r, g, b]       linear radiance, multiplied by the texture; default none. It is seen,
+//                              and lights what is near; but baked light finds it by chance alone,
+//                              with noise where it is small: what lights a room is a [[light]]
 //   cutout = false             holes where the texture's alpha is below ½; default false
 //   two_sided = true           false: black from behind; default true
 //   specular = 0.04            reflectance of a coat at normal incidence, 0..1; default 0: matt.
