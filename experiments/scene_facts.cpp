@@ -23,12 +23,6 @@ Json ToJson(const Vec3f& v) {
 
 double Megabytes(std::size_t bytes) { return double(bytes) / (1 << 20); }
 
-std::size_t TextureBytes(const sim::Texture& texture) {
-  std::size_t texels = 0;
-  for (int i = 0; i < texture.level_count(); ++i) texels += texture.level(i).size();
-  return texels * sizeof(sim::Rgba8);
-}
-
 std::size_t MeshBytes(const sim::Mesh& mesh) {
   return mesh.positions.size() * sizeof(Vec3f) + mesh.normals.size() * sizeof(Vec3f) +
          mesh.texcoords.size() * sizeof(Vec2f) + mesh.triangles.size() * sizeof(sim::Triangle);
@@ -83,7 +77,7 @@ Json TextureFacts(const sim::Scene& scene) {
   Json list = Json::array();
   for (const sim::Texture& t : scene.textures) {
     list.push_back(
-        {{"width", t.width()}, {"height", t.height()}, {"memory_mb", Megabytes(TextureBytes(t))}});
+        {{"width", t.width()}, {"height", t.height()}, {"memory_mb", Megabytes(t.bytes())}});
   }
   return list;
 }
@@ -145,7 +139,7 @@ Json SceneFacts(const sim::Scene& scene, const std::filesystem::path& file) {
   Bounds bounds;
   for (const Vec3f& p : scene.mesh.positions) bounds.Add(p);
   std::size_t texture_bytes = 0;
-  for (const sim::Texture& t : scene.textures) texture_bytes += TextureBytes(t);
+  for (const sim::Texture& t : scene.textures) texture_bytes += t.bytes();
   return {{"name", scene.name},
           {"file", file.string()},
           {"size_m", ToJson(bounds.Size())},
@@ -158,6 +152,7 @@ Json SceneFacts(const sim::Scene& scene, const std::filesystem::path& file) {
           {"ambient", ToJson(scene.ambient)},
           {"exposure", scene.exposure},
           {"lights", LightFacts(scene)},
+          {"environment", scene.environment != nullptr},
           {"materials", MaterialFacts(scene)},
           {"textures", TextureFacts(scene)},
           {"instances", InstanceFacts(scene)},
@@ -175,9 +170,13 @@ std::string FormatSceneFacts(const Json& facts, int instance_limit) {
   text += Line("size", Metres(facts["size_m"]));
   text += Line("triangles", number("triangles") + ", vertices " + number("vertices"));
   text += Line("memory", memory);
-  text += Line("lights", std::to_string(facts["lights"].size()) + ", ambient " +
+  const auto shines = [](const Json& m) { return m["emission"] != Json{0.0, 0.0, 0.0}; };
+  const auto emitting = std::count_if(facts["materials"].begin(), facts["materials"].end(), shines);
+  text += Line("lights", std::to_string(facts["lights"].size()) +
+                             (facts["environment"] ? ", an environment" : "") + ", ambient " +
                              facts["ambient"].dump() + ", exposure " + facts["exposure"].dump());
-  text += Line("materials", std::to_string(facts["materials"].size()));
+  text += Line("materials", std::to_string(facts["materials"].size()) + ", of which " +
+                                std::to_string(emitting) + " emit light");
   text += Line("textures", FormatTextures(facts["textures"]));
   text += Line("instances", std::to_string(facts["instances"].size()) + "; most triangles:");
   text += FormatInstances(facts["instances"], instance_limit);

@@ -40,6 +40,7 @@ class MipLevel {
   // The texel as a picture file would hold it.
   Image<Rgba8> Encoded() const;
   std::string Digest() const;  // of the size and all texels
+  std::size_t bytes() const { return texels_.size() * sizeof(Texel); }
 
   // Where a value between four texels is read.
   struct Place {

@@ -25,6 +25,12 @@ class Texture {
   int level_count() const { return int(levels_.size()); }
   // As a picture file would hold it.
   Image<Rgba8> level(int i) const { return levels_[std::size_t(i)].Encoded(); }
+  // Of memory, all levels.
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const MipLevel& level : levels_) sum += level.bytes();
+    return sum;
+  }
   // Tells pictures apart: 32 hexadecimal digits.
   std::string Digest() const { return levels_.front().Digest(); }
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -56,7 +57,16 @@ TEST(SceneCommand, InfoTellsWhatASceneConsistsOf) {
   for (const Json& instance : facts["instances"]) triangles += instance["triangles"].get<int>();
   EXPECT_EQ(facts["triangles"], triangles);
   EXPECT_GT(facts["textures"].size(), 10u);
-  EXPECT_GT(facts["textures_mb"].get<double>(), 1);
+  // Four channels of 16 bits, at each level with a column and a row more.
+  double bytes = 0;
+  for (const Json& texture : facts["textures"]) {
+    for (int w = texture["width"], h = texture["height"];;
+         w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
+      bytes += 8.0 * (w + 1) * (h + 1);
+      if (w == 1 && h == 1) break;
+    }
+  }
+  EXPECT_NEAR(facts["textures_mb"].get<double>(), bytes / (1 << 20), 1e-6);
   EXPECT_EQ(facts["instances"][0]["size_m"].size(), 3u);
 }
 
@@ -74,6 +84,11 @@ TEST(SceneCommand, InfoKnowsSizesAndLights) {
   ASSERT_EQ(facts["lights"].size(), 1u);
   EXPECT_NEAR(facts["lights"][0]["area_m2"].get<double>(), 0.5, 1e-6);
   EXPECT_NEAR(facts["lights"][0]["flux"][0].get<double>(), 3.14159, 1e-4);
+  EXPECT_EQ(facts["environment"], false);
+  const std::string sky = Write(folder / "sky.toml", kWall + "[environment]\n");
+  const ProgramResult result = RunSilt("scene info " + sky);
+  EXPECT_THAT(result.out, HasSubstr("0, an environment, ambient")) << result.error;
+  EXPECT_THAT(result.out, HasSubstr("of which 0 emit light"));
 }
 
 TEST(SceneCommand, CheckPassesTheStudio) {
