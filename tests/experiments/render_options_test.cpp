@@ -9,6 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "silt/core/color.h"
 #include "silt/core/io/image_file.h"
@@ -229,6 +230,31 @@ TEST_F(RenderOptionsTest, VignettingDarkensByTheFourthPowerOfTheCosine) {
   };
   EXPECT_LT(share(0, 0), 0.5);
   ExpectBrighterBy(share, dark.Rgb(), Plain().Rgb());
+}
+
+// Angular velocity of the first reading, and its bias, columns 2 to 4 and 8 to 10.
+std::vector<double> FirstReading(const fs::path& folder) {
+  std::ifstream csv(folder / "truth/imu.csv");
+  std::string line;
+  std::getline(csv, line);
+  std::getline(csv, line);
+  std::istringstream fields(line);
+  std::vector<double> values;
+  for (std::string field; std::getline(fields, field, ',');) values.push_back(std::stod(field));
+  return values;
+}
+
+TEST_F(RenderOptionsTest, TheInertialSensorIsAsNoisyAsAskedFor) {
+  const std::string more = "--duration 0.1 --truth imu --imu-noise ";
+  const std::vector<double> clean = FirstReading(Render(more + "none").folder);
+  const std::vector<double> noisy = FirstReading(Render(more + "euroc").folder);
+  ASSERT_EQ(clean.size(), 13u);
+  ASSERT_EQ(noisy.size(), 13u);
+  for (int i = 1; i < 7; ++i) EXPECT_NE(noisy[i], clean[i]) << i;
+  for (int i = 7; i < 13; ++i) EXPECT_EQ(clean[i], 0) << i;
+  double bias = 0;
+  for (int i = 7; i < 13; ++i) bias += std::abs(noisy[i]);
+  EXPECT_GT(bias, 0);
 }
 
 }  // namespace
