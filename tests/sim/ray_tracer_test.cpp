@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "scene_builder.h"
 
@@ -44,6 +45,26 @@ TEST(RayTracer, BarycentricsLeadToThePoint) {
   const Vec2f uv = TexcoordAt(mesh, mesh.triangles[hits.triangle[5]], hits.u[5], hits.v[5]);
   EXPECT_NEAR(uv.x, 0.75f, 1e-6f);
   EXPECT_NEAR(uv.y, 0.3f, 1e-6f);
+}
+
+// Whatever they hold. Processors that take eight rays at a time hand such lanes to Embree too.
+TEST(RayTracer, LanesWithoutARayMeetNothing) {
+  SceneBuilder builder;
+  builder.AddQuad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, builder.AddMaterial(Vec3f{1, 1, 1}));
+  const RayTracer tracer(builder.scene);
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  RayPacket rays;
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    rays.Set(lane, {{0, 0.5f, 1}, {0, 0, lane % 2 == 0 ? -1.0f : nan}, lane % 3 == 0 ? -1.0f : 0});
+    rays.valid[lane] = 0;
+  }
+  rays.Set(9, {{0, 0.5f, 1}, {0, 0, -1}});
+  HitPacket hits;
+  tracer.Trace(rays, hits);
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    EXPECT_EQ(hits.triangle[lane] == kNoTriangle, lane != 9) << lane;
+  }
+  EXPECT_EQ(tracer.Occluded(rays), 1u << 9);
 }
 
 TEST(RayTracer, OcclusionEndsWithTheSegment) {
