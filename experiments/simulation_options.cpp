@@ -104,7 +104,8 @@ void AddSimulationOptions(CLI::App& command, SimulationOptions& o, bool required
   group(command
             .add_option("--light", o.light,
                         "baked: computed once on all surfaces, without noise; path: traced for "
-                        "each pixel, --spp paths each, exact but noisy and slow")
+                        "each pixel, --spp paths each, exact but noisy and slow (and of textures "
+                        "without mip levels)")
             ->check(CLI::IsMember({"baked", "path"}))
             ->capture_default_str());
   group(command.add_flag("--specular", o.specular,
@@ -123,7 +124,10 @@ void AddSimulationOptions(CLI::App& command, SimulationOptions& o, bool required
   integer("--time-samples", o.time_samples, 1, 4096, "Instants in an exposure, at least");
   number("--row-time", o.row_time_us, 0, 1e6,
          "Rolling shutter: microseconds from one row to the next; the pose is the middle's");
-  group(command.add_option("--filter", o.filter, "Filter of the pixels: box or gaussian")
+  group(command
+            .add_option("--filter", o.filter,
+                        "Filter of the pixels: box (sharp, aliases) or gaussian (of 0.6 px; with "
+                        "--spp 64 the frames agree best with each other)")
             ->check(CLI::IsMember({"box", "gaussian"}))
             ->capture_default_str());
   group(command
