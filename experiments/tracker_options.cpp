@@ -27,11 +27,13 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("alignment", "exclude_hidden", a.exclude_hidden);
   visit("alignment", "use_current_depth", a.use_current_depth);
   visit("alignment", "depth_edge_margin_px", a.depth_edge_margin_px);
+  visit("alignment", "robust_loss", a.robust_loss);
   visit("alignment", "robust_scale", a.robust_scale);
   visit("alignment", "robust_gradient", a.robust_gradient);
   visit("alignment", "scale_rounds", a.scale_rounds);
   visit("alignment", "depth_residual", a.depth_residual);
   visit("alignment", "interpolant", a.interpolant);
+  visit("alignment", "reference_gradient", a.reference_gradient);
   visit("alignment", "affine_brightness", a.affine_brightness);
   visit("alignment", "depth_patch_px", a.depth_patch_px);
   visit("alignment", "max_disagreement", a.max_disagreement);
@@ -76,9 +78,15 @@ constexpr Named<tracker::Interpolant> kInterpolants[] = {
     {"bilinear", tracker::Interpolant::kBilinear},
     {"catmull-rom", tracker::Interpolant::kCatmullRom},
     {"b-spline", tracker::Interpolant::kBSpline}};
+constexpr Named<tracker::RobustLoss> kLosses[] = {
+    {"geman-mcclure", tracker::RobustLoss::kGemanMcClure},
+    {"huber", tracker::RobustLoss::kHuber},
+    {"tukey", tracker::RobustLoss::kTukey},
+    {"student-t", tracker::RobustLoss::kStudentT}};
 
 constexpr const auto& NamesOf(tracker::Start) { return kStarts; }
 constexpr const auto& NamesOf(tracker::Interpolant) { return kInterpolants; }
+constexpr const auto& NamesOf(tracker::RobustLoss) { return kLosses; }
 
 template <typename T>
 bool ParseNumber(const std::string& text, T& value) {

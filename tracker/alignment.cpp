@@ -46,9 +46,11 @@ AlignmentPlan PlanOf(const ReferenceViews& references, const CurrentPyramid& cur
   plan.keep_log = options.keep_log;
   plan.robust_scale = options.robust_scale;
   plan.robust_gradient = options.robust_gradient;
+  plan.robust_loss = options.robust_loss;
+  plan.reference_gradient = options.reference_gradient;
   if (plan.robust) {
-    plan.robust_share = MeanRobustSquare(options.robust_scale);
-    plan.step_factor = CurvatureLoss(options.robust_scale);
+    plan.robust_share = MeanRobustSquare(options.robust_loss, options.robust_scale);
+    plan.step_factor = CurvatureLoss(options.robust_loss, options.robust_scale);
   }
   return plan;
 }

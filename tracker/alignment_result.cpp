@@ -51,7 +51,8 @@ double ResidualVariance(const LevenbergMarquardt& optimizer, const AlignmentOpti
 // is less than H, which holds weights alone. f is options.covariance_factor.
 Covariance6 CovarianceOf(const LevenbergMarquardt& optimizer, const AlignmentOptions& options) {
   const NormalEquations& equations = optimizer.equations();
-  const double loss = options.robust() ? CurvatureLoss(options.robust_scale) : 1;
+  const double loss =
+      options.robust() ? CurvatureLoss(options.robust_loss, options.robust_scale) : 1;
   const Matrix6 inverse = SymmetricMatrix(equations.hessian).ldlt().solve(Matrix6::Identity());
   // At the pose that is found, the stripes' gradients sum to zero: one of them tells nothing new.
   constexpr double free_share = double(kScatterStripes - 1) / kScatterStripes;

@@ -52,6 +52,7 @@ simd::LevelView ViewOf(const LevelImages& images, const SE3d& current_from_refer
           float(norm.brightness.gain),
           float(norm.brightness.offset),
           norm.fit_brightness,
+          float(norm.reference_gradient),
           images.interpolant != Interpolant::kBilinear,
           spline ? 1.0f : 0.0f,
           spline ? 0.0f : 0.5f};

@@ -35,10 +35,11 @@ struct AlignmentPlan {
   // then for the equations where it is taken: the same results in fewer rounds.
   bool linearize_trials = false;
   bool keep_log = false;  // computes the cost of the last step of a level too, which is not taken
-  double robust_scale = 0, robust_gradient = 0;
-  // MeanRobustSquare(robust_scale): what makes a scale of the residuals a standard deviation.
+  double robust_scale = 0, robust_gradient = 0, reference_gradient = 0;
+  RobustLoss robust_loss = RobustLoss::kGemanMcClure;
+  // MeanRobustSquare(…): what makes a scale of the residuals a standard deviation.
   double robust_share = 1;
-  double step_factor = 1;  // CurvatureLoss(robust_scale): how far short weighted squares fall
+  double step_factor = 1;  // CurvatureLoss(…): how far short weighted squares fall
 
   bool operator==(const AlignmentPlan&) const = default;
 };
@@ -55,6 +56,8 @@ class LevenbergMarquardt {
   SILT_HOST_DEVICE LevenbergMarquardt(const AlignmentPlan& plan, const SE3d& initial)
       : pose_(initial), level_(plan.levels + 1) {
     norm_.intensity.gradient = plan.robust_gradient;
+    norm_.intensity.loss = norm_.inverse_depth.loss = plan.robust_loss;
+    norm_.reference_gradient = plan.reference_gradient;
     norm_.use_depth = plan.use_depth;
     norm_.fit_brightness = plan.fit_brightness;
     NextLevel(plan);
@@ -282,8 +285,8 @@ class LevenbergMarquardt {
   }
 
   // dξ = −(JᵀJ + αI)⁻¹·Jᵀr (eq. 17, damped), or Marquardt's with α·diag(JᵀJ); false where it has no
-  // finite solution.
-  SILT_HOST_DEVICE bool Solve(const AlignmentPlan& plan, Twistd* update) const {
+  // finite solution. With what solves in line wherever it is called, nvcc takes thrice as long.
+  [[gnu::noinline]] SILT_HOST_DEVICE bool Solve(const AlignmentPlan& plan, Twistd* update) const {
     double matrix[6][6], d[6];
     GetMatrix(matrix);
     bool finite = true;
@@ -314,7 +317,7 @@ class LevenbergMarquardt {
 
   // Whether the equations tell the six parameters apart: the pivots of JᵀJ, scaled to a unit
   // diagonal, stay clear of rounding.
-  SILT_HOST_DEVICE bool DeterminesPose() const {
+  [[gnu::noinline]] SILT_HOST_DEVICE bool DeterminesPose() const {
     double matrix[6][6], scale[6];
     GetMatrix(matrix);
     bool good = true;

@@ -42,6 +42,7 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.min_overlap", min_overlap, 0, 1);
   CheckRange("alignment.depth_edge_margin_px", depth_edge_margin_px, 0, 100);
   CheckRange("alignment.robust_scale", robust_scale, 0, 1e6);
+  CheckRange("alignment.reference_gradient", reference_gradient, 0, 1);
   CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
   CheckRange("alignment.depth_patch_px", depth_patch_px, 1, 100);
   CheckRange("alignment.max_disagreement", max_disagreement, 0, 1e9);

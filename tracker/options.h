@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "silt/tracker/robust_loss.h"
+
 namespace silt::tracker {
 
 // How an intensity between pixels is found: of four pixels, or, not the paper's, of sixteen.
@@ -42,9 +44,10 @@ struct AlignmentOptions {
   // hidden, and the edges of both depths are left out.
   bool use_current_depth = false;
   int depth_edge_margin_px = 0;
-  // Geman-McClure's norm, see kernel/robust_norm.h: c in multiples of the residuals' own scale,
-  // which is estimated at each level, and g in intensity per pixel. 0: squares. Each trial pose is
-  // then linearized at once.
+  // The norm of kernel/robust_norm.h: c in multiples of the residuals' own scale, which is
+  // estimated at each level, and g in intensity per pixel. 0: squares. Each trial pose is then
+  // linearized at once.
+  RobustLoss robust_loss = RobustLoss::kGemanMcClure;
   double robust_scale = 0;
   double robust_gradient = 0;
   int scale_rounds = 4;  // estimates of the scales at most, where a coarser level has left some
@@ -52,13 +55,17 @@ struct AlignmentOptions {
   // scale; needs robust_scale and use_current_depth.
   bool depth_residual = false;
   Interpolant interpolant = Interpolant::kBilinear;  // of the current intensity
+  // Jacobians of the intensity take this share of the gradient from the keyframe's pixel and the
+  // rest from the current image: 0 is the forward compositional step, ½ about that of ESM, and 1
+  // about that of the inverse compositional one.
+  double reference_gradient = 0;
   // Compares each keyframe's intensity with a gain and an offset of its own, which are found on the
   // way, in closed form at each pose; needs robust_scale.
   bool affine_brightness = false;
   double depth_patch_px = 1;  // at the finest level: noise of depths is alike over so many a side
   // Intensities lose weight where they contradict the depths by more than this χ² of six
-  // parameters, and contradict themselves more than those do, see ResidualAgreement: colours that
-  // are not registered to depths have nothing wrong that their noise would tell. 0: they keep it.
+  // parameters, see ResidualAgreement: colours that are not registered to depths have nothing wrong
+  // that their noise would tell. 0: they keep it, as they have to where depths alone would slip.
   double max_disagreement = 0;
   bool rotation_only = false;  // the translation stays as it is
   // By which the covariance is larger than the residuals tell: both images are sampled and their

@@ -20,7 +20,7 @@ SILT_HOST_DEVICE inline float InverseSquare(double x) { return x > 0 ? float(1 /
 template <typename Norm>
 SILT_HOST_DEVICE inline Norm FloatNorm(const RobustBounds& bounds) {
   return {InverseSquare(bounds.gradient), InverseSquare(bounds.scale),
-          float(std::sqrt(bounds.weight))};
+          float(std::sqrt(bounds.weight)), bounds.loss};
 }
 
 // ½Σr² (eq. 8), from kSumCount sums.

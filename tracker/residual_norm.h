@@ -3,6 +3,7 @@
 #pragma once
 
 #include "silt/core/host_device.h"
+#include "silt/tracker/robust_loss.h"
 
 namespace silt::tracker {
 
@@ -11,6 +12,7 @@ struct RobustBounds {
   double gradient = 0;  // g; 0: a steep gradient makes no residual less certain
   double scale = 0;     // c; 0: no residual is too large
   double weight = 1;    // of these residuals among others
+  RobustLoss loss = RobustLoss::kGemanMcClure;
 };
 
 // The reference's intensity I counts as gain·I + offset: exposures differ.
@@ -25,6 +27,9 @@ struct ResidualNorm {
   bool use_depth = false;      // residuals of the inverse depth as well
   Brightness brightness;
   bool fit_brightness = false;  // finds one that fits better; of a robust norm
+  // This share of the intensity's gradient is the reference's at the pixel, the rest the current
+  // image's where it lands.
+  double reference_gradient = 0;
 
   SILT_HOST_DEVICE bool robust() const {
     return use_depth || intensity.gradient > 0 || intensity.scale > 0;

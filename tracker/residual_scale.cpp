@@ -5,30 +5,41 @@
 #include <cmath>
 #include <numbers>
 
+#include "silt/tracker/kernel/robust_norm.h"
+
 namespace silt::tracker {
+namespace {
 
-double MeanRobustSquare(double k) {
-  // k²·E[e²/(k² + e²)] = k²·(1 − k²·E[1/(k² + e²)]), and the last expectation is
-  // √(π/2)/k·exp(k²/2)·erfc(k/√2). Its factors leave the range of a double for large k, where the
-  // series 1 − 3/k² + 15/k⁴ serves.
-  if (k > 20) return 1 - 3 / (k * k) + 15 / (k * k * k * k);
-  const double tail = std::exp(k * k / 2) * std::erfc(k / std::numbers::sqrt2);
-  return k * k * (1 - k * std::sqrt(std::numbers::pi / 2) * tail);
-}
-
-double CurvatureLoss(double k) {
+// E[value(e, weight of e)] by the midpoint rule, which is all but exact for smooth values.
+template <typename Value>
+double Mean(RobustLoss loss, double k, const Value& value) {
   constexpr double step = 0.05, end = 8;
-  double weights = 0, slopes = 0;
+  const kernel::RobustNorm<double> norm{0, 1 / (k * k), 1, loss};
+  double sum = 0;
   for (double e = step / 2; e < end; e += step) {
-    const double q = 1 / (1 + e * e / (k * k)), density = std::exp(-e * e / 2);
-    weights += q * q * density;
-    slopes += q * q * q * (1 - 3 * e * e / (k * k)) * density;
+    sum += value(e, kernel::Weigh(norm, e, 0.0)) * std::exp(-e * e / 2);
   }
-  return weights / slopes;
+  return sum * step * std::sqrt(2 / std::numbers::pi);
 }
 
-double ResidualScale(double mean_robust_square, double scale_factor) {
-  const double beta = scale_factor > 0 ? MeanRobustSquare(scale_factor) : 1;
+double Weight(double, const kernel::RobustWeight<double>& weight) {
+  return weight.root * weight.root;
+}
+
+}  // namespace
+
+double MeanRobustSquare(RobustLoss loss, double k) {
+  return Mean(loss, k, [](double e, const auto& weight) { return weight.s * e * e; });
+}
+
+double CurvatureLoss(RobustLoss loss, double k) {
+  // E[ψ'] = E[e·ψ] of a standard normal e (Stein).
+  return Mean(loss, k, Weight) /
+         Mean(loss, k, [](double e, const auto& weight) { return e * e * Weight(e, weight); });
+}
+
+double ResidualScale(RobustLoss loss, double mean_robust_square, double scale_factor) {
+  const double beta = scale_factor > 0 ? MeanRobustSquare(loss, scale_factor) : 1;
   return std::sqrt(mean_robust_square / beta);
 }
 

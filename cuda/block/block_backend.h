@@ -36,6 +36,10 @@ class BlockBackend : public tracker::Backend {
       throw Error("alignment.interpolant: backend " + name_ +
                   " interpolates bilinearly alone; use backend cpu, or interpolant bilinear");
     }
+    if (options.reference_gradient > 0) {
+      throw Error("alignment.reference_gradient: backend " + name_ +
+                  " takes gradients from the current image alone; use backend cpu, or 0");
+    }
     if (options.affine_brightness) {
       throw Error("alignment.affine_brightness: backend " + name_ +
                   " does not have it; use backend cpu, or leave it out");

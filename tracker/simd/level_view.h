@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "silt/tracker/robust_loss.h"
 #include "silt/tracker/sum_layout.h"
 
 // What the files that are compiled once per instruction set share with the rest: plain data and
@@ -17,6 +18,7 @@ inline constexpr int kLanes = 16;
 // kernel/robust_norm.h's.
 struct RobustBounds {
   float inverse_gradient_squared, inverse_scale_squared, root_weight;
+  RobustLoss loss;
 };
 
 // One level of a pair of images, row by row without padding, with a pose and a camera.
@@ -32,6 +34,7 @@ struct LevelView {
   RobustBounds intensity_norm, inverse_depth_norm;
   float gain, offset;  // of the reference's intensity
   bool fit_brightness;
+  float reference_gradient;  // its share
   bool cubic;  // the intensity is interpolated over 4×4 pixels, and no level is smaller,
   float cubic_b, cubic_c;  // by this kernel of kernel/bicubic.h
 };

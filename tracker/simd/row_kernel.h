@@ -116,7 +116,7 @@ class RowKernel {
 
   static kernel::RobustNorm<Batch> MakeNorm(const RobustBounds& bounds) {
     return {Batch(bounds.inverse_gradient_squared), Batch(bounds.inverse_scale_squared),
-            Batch(bounds.root_weight)};
+            Batch(bounds.root_weight), bounds.loss};
   }
 
   static Batch Columns() {
@@ -162,6 +162,7 @@ class RowKernel {
     } else {
       SamplePixels(intensity_, landings, end - begin, &samples);
     }
+    if (view_.reference_gradient > 0) MixGradients({begin, end, y}, &samples);
     LinearizeIntensities<kKind>({begin, end, y}, landings, samples, &chunk, row);
     if (view_.fit_brightness) AddBrightness({begin, end, y}, samples, row);
     AddAllProducts(chunk, end - begin, row);
@@ -219,6 +220,21 @@ class RowKernel {
   struct Span {
     int begin, end, y;
   };
+
+  // By central differences; a pixel at the border of the image keeps the gradient that it has.
+  [[gnu::noinline]] void MixGradients(const Span& pixels, Samples* samples) const {
+    if (pixels.y == 0 || pixels.y + 1 == view_.height) return;
+    const float share = view_.reference_gradient;
+    const float* row = view_.reference_intensity + pixels.y * view_.width;
+    for (int x = pixels.begin; x < pixels.end; ++x) {
+      if (x == 0 || x + 1 >= view_.width) continue;
+      const int at = x - pixels.begin;
+      const float du = view_.gain * 0.5f * (row[x + 1] - row[x - 1]);
+      const float dv = view_.gain * 0.5f * (row[x + view_.width] - row[x - view_.width]);
+      samples->du[at] += share * (du - samples->du[at]);
+      samples->dv[at] += share * (dv - samples->dv[at]);
+    }
+  }
 
   // The columns of a robust norm are √w·J and √w·r.
   template <Residuals kKind>

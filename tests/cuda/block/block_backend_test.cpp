@@ -314,6 +314,10 @@ TEST_P(BlockBackendOn, WhatItLacksIsRefusedByName) {
   options.affine_brightness = true;
   EXPECT_THROW(block_->CheckHas(options), Error);
   EXPECT_NO_THROW(cpu_->CheckHas(options));
+  options.affine_brightness = false;
+  options.reference_gradient = 0.5;
+  EXPECT_THROW(block_->CheckHas(options), Error);
+  EXPECT_NO_THROW(cpu_->CheckHas(options));
 }
 
 }  // namespace
