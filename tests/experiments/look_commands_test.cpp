@@ -85,7 +85,10 @@ TEST(SceneCommand, InfoKnowsSizesAndLights) {
   EXPECT_NEAR(facts["lights"][0]["area_m2"].get<double>(), 0.5, 1e-6);
   EXPECT_NEAR(facts["lights"][0]["flux"][0].get<double>(), 3.14159, 1e-4);
   EXPECT_EQ(facts["environment"], false);
-  const std::string sky = Write(folder / "sky.toml", kWall + "[environment]\n");
+  const std::string sky =
+      Write(folder / "sky.toml", kWall +
+                                     "[environment]\nzenith = [1, 1, 2]\nhorizon = [1, 1, 1]\n"
+                                     "ground = [0.2, 0.2, 0.2]\n");
   const ProgramResult result = RunSilt("scene info " + sky);
   EXPECT_THAT(result.out, HasSubstr("0, an environment, ambient")) << result.error;
   EXPECT_THAT(result.out, HasSubstr("of which 0 emit light"));
