@@ -9,8 +9,8 @@ namespace silt::sim {
 
 namespace {
 
-// The light of fewer samples is computed in about the time that it takes to read it.
-constexpr std::size_t kFewSamples = 200'000;
+// The light of fewer samples is computed in a second or so.
+constexpr std::size_t kFewSamples = 20'000;
 
 BakedLight SolveOrRead(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
                        const LightingOptions& options) {

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::uint32_t kVersion = 7;
 constexpr std::size_t kDigestSize = 32;
 constexpr std::string_view kPrefix = "light-";
-constexpr std::size_t kEntries = 8;  // of some 100 MB for a furnished room
+constexpr std::size_t kEntries = 16;  // of some 100 MB for a furnished room
 
 std::optional<fs::path> CacheFolder() {
   const auto variable = [](const char* name) -> fs::path {

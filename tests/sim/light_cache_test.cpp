@@ -154,17 +154,17 @@ TEST_F(LightCache, TheNameFollowsAllThatLightDependsOn) {
 TEST_F(LightCache, KeepsTheEntriesWrittenLast) {
   Overwrite(folder_ / "other", "not ours");
   const auto start = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 20; ++i) {
     const fs::path file = folder_ / ("light-" + std::to_string(i));
     WriteLight(file, SomeLight());
     fs::last_write_time(file, start + std::chrono::minutes(i));
   }
   WriteLight(folder_ / "light-new", SomeLight());
   EXPECT_TRUE(fs::exists(folder_ / "light-new"));
-  EXPECT_TRUE(fs::exists(folder_ / "light-11"));
+  EXPECT_TRUE(fs::exists(folder_ / "light-19"));
   EXPECT_FALSE(fs::exists(folder_ / "light-0"));
   EXPECT_TRUE(fs::exists(folder_ / "other"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 9);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 17);
 }
 
 TEST_F(LightCache, RemovesWhatAWriterThatWasKilledLeft) {
