@@ -28,11 +28,13 @@ namespace {
 using tracker::Backend;
 using tracker::NormalEquations;
 using tracker::ResidualNorm;
+using tracker::RobustLoss;
 
-ResidualNorm Robust(bool use_depth) {
+ResidualNorm Robust(bool use_depth, RobustLoss loss = RobustLoss::kGemanMcClure) {
   ResidualNorm norm;
   norm.intensity = {8.0 / 255, 0.02, 1 / (0.01 * 0.01)};
   norm.inverse_depth = {0, 0.01, 1 / (0.004 * 0.004)};
+  norm.intensity.loss = norm.inverse_depth.loss = loss;
   norm.use_depth = use_depth;
   return norm;
 }
@@ -176,7 +178,9 @@ TEST_P(BlockBackendOn, EquationsAreTheCpusAtEveryLevelAndOfEveryNorm) {
     const Pair block = MakePair(*block_, options), cpu = MakePair(*cpu_, options);
     const std::vector<HostLevel> levels = HostLevels(options);
     for (int level = 0; level < kLevels; ++level) {
-      for (const ResidualNorm& norm : {ResidualNorm{}, Robust(false), Robust(true)}) {
+      for (const ResidualNorm& norm :
+           {ResidualNorm{}, Robust(false), Robust(true), Robust(true, RobustLoss::kHuber),
+            Robust(true, RobustLoss::kTukey), Robust(true, RobustLoss::kStudentT)}) {
         for (const SE3d& pose : {kPose, SE3d::Exp({{0.002, 0, 0}, {0, 0.003, 0}}) * kPose}) {
           SCOPED_TRACE(testing::Message() << "level " << level << ", margin " << margin_px);
           const NormalEquations expected = cpu_->Linearize(cpu.images(), level, pose, norm);
