@@ -46,8 +46,8 @@ std::string Checksum(const BakedLight& light) {
       .Digest();
 }
 
-// Another process may do the same: what is gone already is no failure. Parts that have not grown for
-// an hour belong to no writer any more.
+// Another process may do the same: what is gone already is no failure. Parts that have not grown
+// for an hour belong to no writer any more.
 void RemoveOldEntries(const fs::path& folder) {
   std::vector<std::pair<fs::file_time_type, fs::path>> entries;
   std::error_code ignored;
