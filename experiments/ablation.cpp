@@ -116,7 +116,7 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
       {"depth_residual=0", "no residuals of the depth"},
       {"use_current_depth=0:depth_residual=0", "only keyframes have a depth"},
       {"exclude_hidden=0", "hidden pixels stay"},
-      {"max_disagreement=150", "intensities that contradict depths lose weight"},
+      {"max_disagreement=60", "intensities that contradict depths lose weight"},
       {"depth_edge_margin_px=0", "depth edges stay"},
       {"depth_edge_margin_px=4", "a wider margin at depth edges"},
       {"robust_scale=1.5", "a tighter norm"},

@@ -41,7 +41,8 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.coarser_update_norm", coarser_update_norm, 1, 100);
   CheckRange("alignment.min_overlap", min_overlap, 0, 1);
   CheckRange("alignment.depth_edge_margin_px", depth_edge_margin_px, 0, 100);
-  CheckRange("alignment.robust_scale", robust_scale, 0, 1e6);
+  // With a bound far below the noise, next to no residual would count.
+  if (robust_scale != 0) CheckRange("alignment.robust_scale (0: squares)", robust_scale, 0.1, 1e6);
   CheckRange("alignment.reference_gradient", reference_gradient, 0, 1);
   CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
   CheckRange("alignment.depth_patch_px", depth_patch_px, 1, 100);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "silt/tracker/residual_scale.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +14,7 @@ namespace {
 // E[value(e, weight of e)] by the midpoint rule, which is all but exact for smooth values.
 template <typename Value>
 double Mean(RobustLoss loss, double k, const Value& value) {
-  constexpr double step = 0.05, end = 8;
+  const double step = 0.05 * std::min(1.0, k), end = 8;
   const kernel::RobustNorm<double> norm{0, 1 / (k * k), 1, loss};
   double sum = 0;
   for (double e = step / 2; e < end; e += step) {

@@ -35,7 +35,7 @@ double Square(RobustLoss loss, double e, double k) {
 // The expectation as an integral, by the trapezoidal rule.
 TEST(MeanRobustSquare, IsTheExpectation) {
   for (const RobustLoss loss : kLosses) {
-    for (const double k : {0.5, 1.0, 2.5, 10.0, 40.0}) {
+    for (const double k : {0.1, 0.5, 1.0, 2.5, 10.0, 40.0}) {
       double sum = 0;
       const double step = 1e-3;
       for (double e = -10; e <= 10; e += step) {
