@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "silt/sim/content_hash.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace silt::sim {
@@ -18,14 +17,25 @@ std::uint64_t Mix(std::uint64_t z, std::uint64_t multiplier) {
 
 ContentHash& ContentHash::AddBytes(const void* data, std::size_t size) {
   const char* bytes = static_cast<const char*>(data);
-  for (std::size_t i = 0; i < size; i += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
-    state_[0] = Mix(state_[0] ^ word, 0x9e3779b97f4a7c15u);
-    state_[1] = Mix(state_[1] + word, 0xc2b2ae3d27d4eb4fu);
+  const std::size_t rest = size % 8;
+  // Hundreds of megabytes come by: the state stays in registers, and words are copied as words.
+  std::uint64_t a = state_[0], b = state_[1], word = 0;
+  const auto add = [&](std::uint64_t value) {
+    a = Mix(a ^ value, 0x9e3779b97f4a7c15u);
+    b = Mix(b + value, 0xc2b2ae3d27d4eb4fu);
+  };
+  for (std::size_t i = 0; i < size - rest; i += 8) {
+    std::memcpy(&word, bytes + i, 8);
+    add(word);
   }
-  state_[0] = Mix(state_[0] ^ size, 0x9e3779b97f4a7c15u);
-  state_[1] = Mix(state_[1] + size, 0xc2b2ae3d27d4eb4fu);
+  if (rest > 0) {
+    word = 0;
+    std::memcpy(&word, bytes + (size - rest), rest);
+    add(word);
+  }
+  add(size);
+  state_[0] = a;
+  state_[1] = b;
   return *this;
 }
 
