@@ -155,7 +155,7 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
   } else if (preset == "fast") {
     all = of_both;
     all.push_back({"joint=2", "two keyframes at once"});
-    all.push_back({"max_iterations=6-6-10-10", "the iterations of `accurate`"});
+    all.push_back({"max_iterations=6-6-15-20", "the iterations of `accurate`"});
     all.push_back({"max_iterations=2-5-10-20", "at full resolution too"});
     all.push_back({"scale_rounds=4", "scales estimated until they stay"});
   } else if (preset == "paper") {
@@ -169,7 +169,7 @@ std::vector<Alternative> AlternativesTo(const std::string& preset) {
            {"initial_damping=0", "Gauss-Newton"},
            {"interpolant=catmull-rom", "cubics through 4×4 pixels"},
            {"interpolant=b-spline", "cubic B-splines"},
-           {"max_iterations=6-6-10-10", "the iterations of `accurate`"}};
+           {"max_iterations=6-6-15-20", "the iterations of `accurate`"}};
   }
   return all;
 }

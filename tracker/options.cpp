@@ -101,7 +101,7 @@ TrackerOptions PaperAllPixelsPreset() {
 
 TrackerOptions AccuratePreset() {
   TrackerOptions options;
-  options.alignment.max_iterations = {6, 6, 10, 10};
+  options.alignment.max_iterations = {6, 6, 15, 20};
   options.alignment.use_current_depth = true;
   options.alignment.depth_edge_margin_px = 1;
   options.alignment.robust_scale = 2;
