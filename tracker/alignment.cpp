@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "silt/core/error.h"
@@ -134,7 +135,7 @@ AlignmentJob JobOf(const Backend& backend, const ReferenceViews& references,
                    const CurrentPyramid& current, const SE3d& initial,
                    const AlignmentOptions& options) {
   SILT_CHECK(!references.empty());
-  backend.CheckHas(options);
+  backend.CheckHas(options, int(references.size()));
   for (const ReferenceView& reference : references) {
     SILT_CHECK(int(reference.pyramid.levels().size()) >= options.levels());
   }
@@ -144,7 +145,19 @@ AlignmentJob JobOf(const Backend& backend, const ReferenceViews& references,
           options.exclude_hidden,
           initial,
           JudgedLevel(references.front().pyramid),
-          JudgedNorm()};
+          JudgedNorm(),
+          {},
+          nullptr};
+}
+
+void AddStages(const Backend& backend, const CoarseStart& first, AlignmentJob* job,
+               const ImagePair& compared) {
+  for (const CoarseStart::Stage& stage : first.stages) {
+    const AlignmentJob alone =
+        JobOf(backend, {{*stage.pair.reference, {}}}, *stage.pair.current, {}, stage.options);
+    job->first.push_back({alone.plan, stage.pair.images(), alone.exclude_hidden});
+  }
+  job->compared = &compared;
 }
 
 AlignmentResult ResultOf(const FinishedAlignment& finished, const AlignmentJob& job,
@@ -168,27 +181,53 @@ AlignmentResult StepByStep(const Backend& backend, const AlignmentJob& job,
     if (options.affine_brightness && optimizer.took()) evaluation.TakeBrightness();
     if (options.keep_log && optimizer.steps() > steps) log.push_back(optimizer.last_step());
   }
-  AlignmentResult result = ResultOf(FinishedAlignment{optimizer, {}, 0}, job, options);
+  AlignmentResult result = ResultOf(FinishedAlignment{optimizer, {}, {}, 0}, job, options);
   result.times = evaluation.times;
   if (options.affine_brightness) result.brightness = evaluation.brightness_of_first();
   result.log = std::move(log);
   return result;
 }
 
+// Where its stages lead to from `initial`, one by one.
+std::optional<SE3d> EndOf(const Backend& backend, const CoarseStart& first, const SE3d& initial) {
+  SE3d end = initial;
+  for (const CoarseStart::Stage& stage : first.stages) {
+    const AlignmentResult result = Align(backend, stage.pair.images(), end, stage.options);
+    if (!result.ok) return std::nullopt;
+    end = result.current_from_reference;
+  }
+  const std::vector<PhotometricCost> costs =
+      backend.Costs(first.compared.images(), 0, {initial, end});
+  return IsMoreAlike(costs[1], costs[0]) ? std::optional(end) : std::nullopt;
+}
+
 }  // namespace
 
 AlignmentResult Align(const Backend& backend, const ReferenceViews& references,
                       const CurrentPyramid& current, const SE3d& initial,
-                      const AlignmentOptions& options) {
-  const AlignmentJob job = JobOf(backend, references, current, initial, options);
+                      const AlignmentOptions& options, const CoarseStart* first) {
+  AlignmentJob job = JobOf(backend, references, current, initial, options);
+  std::optional<ImagePair> compared;
+  if (first) {
+    compared.emplace(first->compared.images());
+    AddStages(backend, *first, &job, *compared);
+  }
   double milliseconds = 0;
   std::vector<FinishedAlignment> finished;
   {
     const Stopwatch watch(&milliseconds);
     finished = backend.Run({job});
   }
-  if (finished.empty()) return StepByStep(backend, job, options);
+  if (finished.empty()) {
+    const std::optional<SE3d> coarse = first ? EndOf(backend, *first, initial) : std::nullopt;
+    if (coarse) job.initial = *coarse;
+    AlignmentResult result = StepByStep(backend, job, options);
+    result.coarse = coarse;
+    return result;
+  }
+  job.initial = finished.front().coarse.value_or(initial);
   AlignmentResult result = ResultOf(finished.front(), job, options);
+  result.coarse = finished.front().coarse;
   result.times.jacobian_ms = milliseconds;  // the whole of it: it is not known in parts
   result.batch_ms = finished.front().batch_ms;
   if (result.ok) result.judged = finished.front().judged;

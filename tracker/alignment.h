@@ -37,6 +37,7 @@ struct AlignmentResult {
   Brightness brightness;  // of the first reference, where options.affine_brightness
   // Of the residuals of judged_residuals.h, where the backend has found them on the way.
   std::optional<NormalEquations::Spread> judged;
+  std::optional<SE3d> coarse;  // where it started from, if a CoarseStart has led there
   // By the clock of the device that ran it, with all that it was run with; 0: step by step.
   double batch_ms = 0;
 
@@ -46,13 +47,24 @@ struct AlignmentResult {
   }
 };
 
+// Alignments of small pictures, one after the other, each from where the one before it has ended.
+struct CoarseStart {
+  struct Stage {
+    AlignmentOptions options;
+    OwnedPair pair;
+  };
+  std::vector<Stage> stages;
+  OwnedPair compared;  // by whose finest level the end must be more alike than the beginning
+};
+
 // Algorithm 1: Levenberg-Marquardt from the coarsest level to the finest, over the pixels of all
 // references together. A left update of current_from_anchor is one of every current_from_reference
 // too, so that their equations add up. Fails, without an exception, where the images share too few
-// pixels or the equations have no finite solution. The result's pose is current_from_anchor.
+// pixels or the equations have no finite solution. The result's pose is current_from_anchor. With
+// `first` it starts where that leads to from `initial`, if it leads anywhere.
 AlignmentResult Align(const Backend& backend, const ReferenceViews& references,
                       const CurrentPyramid& current, const SE3d& initial,
-                      const AlignmentOptions& options);
+                      const AlignmentOptions& options, const CoarseStart* first = nullptr);
 // With one reference, which is the anchor.
 AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d& initial,
                       const AlignmentOptions& options);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,13 @@ struct ReferenceView {
 
 using ReferenceViews = PooledVector<ReferenceView>;
 
+// A small alignment that helps to start another one.
+struct AlignmentStage {
+  AlignmentPlan plan;
+  ImagePair images;
+  bool exclude_hidden = false;
+};
+
 // A whole alignment, for backends that can run it by themselves.
 struct AlignmentJob {
   AlignmentPlan plan;
@@ -79,6 +87,11 @@ struct AlignmentJob {
   // 0 is the finest, with this norm; −1: they are not asked for.
   int judged_level = -1;
   ResidualNorm judged_norm;
+  // Come first, each from where the one before it has ended, the first from `initial`. The job
+  // starts from their end, if none fails and IsMoreAlike says so of that and `initial`, by the
+  // finest level of `compared`; else from `initial`.
+  PooledVector<AlignmentStage> first;
+  const ImagePair* compared = nullptr;  // where there are any
 };
 
 using AlignmentJobs = PooledVector<AlignmentJob>;
@@ -86,6 +99,7 @@ using AlignmentJobs = PooledVector<AlignmentJob>;
 struct FinishedAlignment {
   LevenbergMarquardt optimizer;    // wants nothing any more
   NormalEquations::Spread judged;  // of the intensity; zeros where it has failed
+  std::optional<SE3d> coarse;      // the end of the stages that came first, if it started there
   // That all the jobs it was run with took together, by the clock of the device that ran them.
   double batch_ms = 0;
 };
@@ -97,8 +111,9 @@ class Backend {
   virtual ~Backend() = default;
   virtual std::string name() const = 0;
 
-  // Throws silt::Error naming an option that this backend does not have.
-  virtual void CheckHas(const AlignmentOptions&) const {}
+  // Throws silt::Error naming an option that this backend does not have, or how many keyframes it
+  // aligns with at once.
+  virtual void CheckHas(const AlignmentOptions&, int /*joint*/ = 1) const {}
 
   // Intensity in [0, 1] and depth in metres, both of the camera's size.
   virtual std::unique_ptr<ReferencePyramid> MakeReference(const Image<float>& intensity,
@@ -165,6 +180,8 @@ class Backend {
   // and runs any number of alignments at once. Nothing where it cannot, or has not learnt how to
   // run one of them: the caller then goes step by step.
   virtual std::vector<FinishedAlignment> Run(const AlignmentJobs&) const { return {}; }
+  // Whether it does so at all.
+  virtual bool runs_alignments() const { return false; }
 };
 
 }  // namespace silt::tracker

@@ -107,8 +107,7 @@ std::vector<std::optional<SE3d>> MoreAlike(const Backend& backend, const OwnedPa
   for (std::size_t i = 0; i < searches.size(); ++i) {
     if (searches[i].starts.empty()) continue;
     const PhotometricCost &before = *cost++, &after = *cost++;
-    const bool better = before.pixels == 0 || after.mean_square() < before.mean_square();
-    if (after.pixels > 0 && better) found[i] = searches[i].starts.front();
+    if (IsMoreAlike(after, before)) found[i] = searches[i].starts.front();
   }
   return found;
 }
@@ -177,15 +176,37 @@ std::vector<std::optional<SE3d>> CoarseInitializer::FindFrom(
   return Find(input, expected, {});
 }
 
-std::vector<std::optional<SE3d>> CoarseInitializer::Find(const InitializerInput& input,
-                                                         const std::vector<SE3d>& expected,
-                                                         const std::optional<SE3d>& other) const {
-  const std::vector<std::optional<SE3d>> nothing(expected.size());
-  if (input.keyframe.frame.depth_m.empty()) return nothing;
+std::optional<int> CoarseInitializer::Halvings(const InitializerInput& input) const {
+  if (input.keyframe.frame.depth_m.empty()) return std::nullopt;
   PinholeCamera camera = input.camera;
   int halvings = 0;
   for (; camera.width > options_.max_width; camera = camera.Halved()) ++halvings;
-  if (camera.width < kSmallestSide || camera.height < kSmallestSide) return nothing;
+  if (camera.width < kSmallestSide || camera.height < kSmallestSide) return std::nullopt;
+  return halvings;
+}
+
+std::optional<CoarseStart> CoarseInitializer::StartOf(const InitializerInput& input) const {
+  const std::vector<Vec3d>& turns = options_.turns_rad;
+  const bool one = turns.size() == 1 && Norm(turns.front()) == 0 && !other_;
+  const bool held = input.held && HalvesWhatIsHeldBy(input.held->backend);
+  if (!one || !held || !backend_->runs_alignments()) return std::nullopt;
+  const std::optional<int> halvings = Halvings(input);
+  if (!halvings) return std::nullopt;
+  const MakeSmall make = FromHeld(*input.held, *halvings);
+  CoarseStart start;
+  for (const AlignmentOptions& stage : options_.stages) {
+    start.stages.push_back({stage, make(stage.use_current_depth, stage.Pyramids())});
+  }
+  start.compared = make(false, {1});
+  return start;
+}
+
+std::vector<std::optional<SE3d>> CoarseInitializer::Find(const InitializerInput& input,
+                                                         const std::vector<SE3d>& expected,
+                                                         const std::optional<SE3d>& other) const {
+  const std::optional<int> found = Halvings(input);
+  if (!found) return std::vector<std::optional<SE3d>>(expected.size());
+  const int halvings = *found;
   const bool held = input.held && HalvesWhatIsHeldBy(input.held->backend);
   const MakeSmall make =
       held ? FromHeld(*input.held, halvings) : FromHost(*backend_, Halved(input, halvings));

@@ -45,6 +45,8 @@ class CoarseInitializer : public Initializer {
   // Small pictures are made where the backend holds the images already, if it can.
   InitialEstimate Estimate(const InitializerInput& input) override;
   bool needs_intensities(const Backend& backend) const override;
+  // Where there is one start alone, of images whose backend runs whole alignments.
+  std::optional<CoarseStart> StartOf(const InitializerInput& input) const override;
 
   // The same for many expected poses of one pair at once, without the other initializer; that of
   // the input does not count.
@@ -57,6 +59,8 @@ class CoarseInitializer : public Initializer {
                                         const std::optional<SE3d>& other) const;
 
   bool HalvesWhatIsHeldBy(const Backend& backend) const;
+  // Until the pictures are small; nothing where they show nothing.
+  std::optional<int> Halvings(const InitializerInput& input) const;
 
   std::shared_ptr<const Backend> backend_;
   CoarseOptions options_;

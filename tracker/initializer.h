@@ -9,6 +9,7 @@
 #include "silt/core/frame.h"
 #include "silt/core/image.h"
 #include "silt/core/se3.h"
+#include "silt/tracker/alignment.h"
 #include "silt/tracker/backend.h"
 #include "silt/tracker/keyframe.h"
 
@@ -45,6 +46,9 @@ class Initializer {
   virtual ~Initializer() = default;
   // A pure function of the input, however often and in whatever order it is called.
   virtual InitialEstimate Estimate(const InitializerInput& input) = 0;
+  // The same estimate as alignments that a backend can run together with the refinement, so that
+  // nothing waits for it in between; nothing where it is not to be had so.
+  virtual std::optional<CoarseStart> StartOf(const InitializerInput&) const { return std::nullopt; }
   // Whether it looks at intensities, the keyframe's and the current ones, although `backend` holds
   // both images; else they may be empty.
   virtual bool needs_intensities(const Backend& /*backend*/) const { return true; }

@@ -40,7 +40,7 @@ KeyframeTracker::KeyframeTracker(const PinholeCamera& camera, const TrackerOptio
       world_from_camera_(first_world_from_camera) {
   SILT_CHECK(backend_ != nullptr);
   options_.Validate();
-  backend_->CheckHas(options_.alignment);
+  backend_->CheckHas(options_.alignment, options_.keyframes.joint);
 }
 
 KeyframeTracker::~KeyframeTracker() = default;
@@ -99,8 +99,14 @@ void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, Tracked
   current_ = MakeCurrent(frame, result);
   // Initial T_cr (§3.2), then its refinement (§3.3).
   const SE3d start = expected.Inverse() * keyframe.world_from_camera;
-  if (options_.always_initialize) Initialize(keyframe.id, start, frame, result);
-  Refine(nearest, *current_, result->initial.current_from_keyframe.value_or(start), result);
+  std::optional<CoarseStart> first;
+  if (options_.always_initialize) {
+    first = StartOf(keyframe.id, start, frame, result);
+    if (!first) Initialize(keyframe.id, start, frame, result);
+  }
+  Refine(nearest, *current_, result->initial.current_from_keyframe.value_or(start), result,
+         first ? &*first : nullptr);
+  if (first) result->initial.current_from_keyframe = result->alignment.coarse;
   if (result->status == TrackingStatus::kDoubtful) TryAgain(nearest, start, frame, result);
   if (result->status == TrackingStatus::kLost) {
     velocity_.reset();
@@ -192,10 +198,22 @@ bool KeyframeTracker::Initialize(int keyframe, const SE3d& expected, const Frame
   if (!initializer_) return false;
   if (initializer_->needs_intensities(*backend_)) MakeIntensities(keyframe, frame, result);
   const Stopwatch watch(&result->times.initial_estimate_ms);
-  const HeldImages held{*backend_, {*references_[keyframe].pyramid, *current_}};
-  result->initial = initializer_->Estimate(
-      {keyframes_[keyframe], frame, gray_, camera_, options_.seed, frame_index_, expected, held});
+  result->initial = initializer_->Estimate(InputOf(keyframe, expected, frame));
   return result->initial.current_from_keyframe.has_value();
+}
+
+InitializerInput KeyframeTracker::InputOf(int keyframe, const SE3d& expected,
+                                          const Frame& frame) const {
+  const HeldImages held{*backend_, {*references_[keyframe].pyramid, *current_}};
+  return {keyframes_[keyframe], frame, gray_, camera_, options_.seed, frame_index_, expected, held};
+}
+
+std::optional<CoarseStart> KeyframeTracker::StartOf(int keyframe, const SE3d& expected,
+                                                    const Frame& frame,
+                                                    TrackedFrame* result) const {
+  if (!initializer_) return std::nullopt;
+  const Stopwatch watch(&result->times.initial_estimate_ms);
+  return initializer_->StartOf(InputOf(keyframe, expected, frame));
 }
 
 // Those that are not there yet.
@@ -227,7 +245,7 @@ std::unique_ptr<ReferencePyramid> KeyframeTracker::MakeReference(const Frame& fr
 }
 
 void KeyframeTracker::Refine(const KeyframeIds& nearest, const CurrentPyramid& current,
-                             const SE3d& initial, TrackedFrame* result) {
+                             const SE3d& initial, TrackedFrame* result, const CoarseStart* first) {
   aligned_with_ = nearest;
   const SE3d anchor_from_world = keyframes_[nearest.front()].world_from_camera.Inverse();
   ReferenceViews views;
@@ -236,7 +254,7 @@ void KeyframeTracker::Refine(const KeyframeIds& nearest, const CurrentPyramid& c
         {*references_[id].pyramid, anchor_from_world * keyframes_[id].world_from_camera});
   }
   views.front().anchor_from_reference = {};  // exactly
-  result->alignment = Align(*backend_, views, current, initial, options_.alignment);
+  result->alignment = Align(*backend_, views, current, initial, options_.alignment, first);
   AddTimes(result->alignment.times, &result->times);
   result->status = TrackingStatus::kLost;
   if (!result->alignment.ok) {

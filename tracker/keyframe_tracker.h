@@ -104,8 +104,13 @@ class KeyframeTracker {
   void MakeIntensities(int keyframe, const Frame& frame, TrackedFrame* result);
   std::unique_ptr<const CurrentPyramid> MakeCurrent(const Frame& frame, TrackedFrame* result) const;
   std::unique_ptr<ReferencePyramid> MakeReference(const Frame& frame) const;
+  // What the initializer looks at; pyramids that the backend holds among it.
+  InitializerInput InputOf(int keyframe, const SE3d& expected, const Frame& frame) const;
+  std::optional<CoarseStart> StartOf(int keyframe, const SE3d& expected, const Frame& frame,
+                                     TrackedFrame* result) const;
+  // From `initial`, or where `first` leads to from there.
   void Refine(const KeyframeIds& nearest, const CurrentPyramid& current, const SE3d& initial,
-              TrackedFrame* result);
+              TrackedFrame* result, const CoarseStart* first = nullptr);
   void TryAgain(const KeyframeIds& nearest, const SE3d& expected, const Frame& frame,
                 TrackedFrame* result);
   void Relocalize(const Frame& frame, const CurrentPyramid& current, const SE3d& expected,

@@ -29,6 +29,12 @@ struct PhotometricCost {
   }
 };
 
+// Whether pictures are more alike at one pose than at another, by the mean r² of what they share.
+SILT_HOST_DEVICE inline bool IsMoreAlike(const PhotometricCost& at,
+                                         const PhotometricCost& at_other) {
+  return at.pixels > 0 && (at_other.pixels == 0 || at.mean_square() < at_other.mean_square());
+}
+
 // Sums over pixels for eq. 17; parameters in the order ξ = (ω, v). With a norm that is not ½r²,
 // each pixel has its weight.
 struct NormalEquations {

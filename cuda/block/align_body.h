@@ -19,6 +19,8 @@ struct AlignBody {
   struct Outcome {
     Optimizer optimizer;
     tracker::NormalEquations::Spread judged;  // of the intensity; zeros where it was not
+    bool starts_coarsely;                     // from `coarse`, where the stages have ended
+    SE3d coarse;
   };
 
   struct Shared {
@@ -29,7 +31,11 @@ struct AlignBody {
     tracker::NormalEquations equations;
     Optimizer optimizer;
     int start;          // the alignment under way
+    int stage;          // of its stages, the one under way; as many as there are: past them
     bool found_hidden;  // by the keyframe's own depth
+    bool starts_coarsely;
+    SE3d coarse;
+    tracker::PhotometricCost at_initial;
   };
 
   const AlignTask* tasks;
@@ -78,7 +84,8 @@ struct AlignBody {
 
  private:
   SILT_HOST_DEVICE static bool Evaluates(const Round& round) {
-    return round.step == Round::Step::kEvaluate || round.step == Round::Step::kJudge;
+    return round.step == Round::Step::kEvaluate || round.step == Round::Step::kJudge ||
+           round.step == Round::Step::kCompareInitial || round.step == Round::Step::kCompareCoarse;
   }
   SILT_HOST_DEVICE int References(const Round& round) const {
     return round.step == Round::Step::kJudge ? 1 : tasks[round.task].references;
@@ -237,7 +244,19 @@ struct AlignBody {
         return Want(&round, shared);
       case Round::Step::kEvaluate:
         shared.optimizer.Take(tasks[round.task].plan, shared.equations);
-        return Next(place, &round, shared);
+        if (shared.optimizer.wanted() == Optimizer::Wanted::kNothing) {
+          return GoOn(place, &round, shared);
+        }
+        return shared.optimizer.starts_level() ? StartLevel(&round, shared) : Want(&round, shared);
+      case Round::Step::kCompareInitial:
+        shared.at_initial = shared.equations.cost;
+        return Compare(Round::Step::kCompareCoarse, shared.coarse, &round);
+      case Round::Step::kCompareCoarse:
+        shared.starts_coarsely = tracker::IsMoreAlike(shared.equations.cost, shared.at_initial);
+        if (!StartTask(starts[shared.start].task, Initial(shared), &round, shared)) {
+          GoOn(place, &round, shared);
+        }
+        return;
       case Round::Step::kJudge:
         return Finish(place, shared.equations.intensity, &round, shared);
       case Round::Step::kStop:
@@ -245,29 +264,83 @@ struct AlignBody {
     }
   }
 
-  // The next alignment of the group, from `start` on, that wants anything at all.
+  // The next alignment of the group, from `start` on, if there is one.
   SILT_HOST_DEVICE void Begin(int start, const GroupPlace& place, Round* round,
                               Shared& shared) const {
-    for (; start < count; start += place.groups) {
-      round->task = starts[start].task;
-      shared.start = start;
-      shared.found_hidden = false;
-      shared.optimizer = Optimizer(tasks[round->task].plan, starts[start].initial);
-      if (shared.optimizer.wanted() != Optimizer::Wanted::kNothing) {
-        return StartLevel(round, shared);
-      }
-      outcomes[start] = {shared.optimizer, {}};
-    }
-    round->step = Round::Step::kStop;
+    if (!Enter(start, round, shared)) GoOn(place, round, shared);
   }
 
-  SILT_HOST_DEVICE void Next(const GroupPlace& place, Round* round, Shared& shared) const {
-    const AlignTask& task = tasks[round->task];
-    if (shared.optimizer.wanted() != Optimizer::Wanted::kNothing) {
-      return shared.optimizer.starts_level() ? StartLevel(round, shared) : Want(round, shared);
+  // Whether there is anything to do for it.
+  SILT_HOST_DEVICE bool Enter(int start, Round* round, Shared& shared) const {
+    shared.start = start;
+    if (start >= count) {
+      round->step = Round::Step::kStop;
+      return true;
     }
-    const bool ok = shared.optimizer.failure() == tracker::AlignmentFailure::kNone;
-    if (!ok || task.judged_level < 0) return Finish(place, {}, round, shared);
+    const AlignStart& entered = starts[start];
+    shared.stage = 0;
+    shared.starts_coarsely = false;
+    shared.coarse = entered.initial;
+    return StartTask(entered.stages > 0 ? entered.first_stage : entered.task, entered.initial,
+                     round, shared);
+  }
+
+  // Whether it wants anything at all.
+  SILT_HOST_DEVICE bool StartTask(int task, const SE3d& initial, Round* round,
+                                  Shared& shared) const {
+    round->task = task;
+    shared.found_hidden = false;
+    shared.optimizer = Optimizer(tasks[task].plan, initial);
+    if (shared.optimizer.wanted() == Optimizer::Wanted::kNothing) return false;
+    StartLevel(round, shared);
+    return true;
+  }
+
+  SILT_HOST_DEVICE SE3d Initial(const Shared& shared) const {
+    return shared.starts_coarsely ? shared.coarse : starts[shared.start].initial;
+  }
+
+  // From what the optimizer has ended to the next thing that is to be done.
+  SILT_HOST_DEVICE void GoOn(const GroupPlace& place, Round* round, Shared& shared) const {
+    for (bool busy = false; !busy;) {
+      const AlignStart& start = starts[shared.start];
+      const bool ok = shared.optimizer.failure() == tracker::AlignmentFailure::kNone;
+      if (shared.stage < start.stages) {
+        busy = EndStage(ok, start, round, shared);
+      } else if (ok && tasks[round->task].judged_level >= 0) {
+        return StartJudging(round, shared);
+      } else {
+        TellOutcome({}, shared);
+        busy = Enter(shared.start + place.groups, round, shared);
+      }
+    }
+  }
+
+  SILT_HOST_DEVICE bool EndStage(bool ok, const AlignStart& start, Round* round,
+                                 Shared& shared) const {
+    if (!ok) {
+      shared.stage = start.stages;
+      return StartTask(start.task, start.initial, round, shared);
+    }
+    shared.coarse = shared.optimizer.accepted_pose();
+    if (++shared.stage < start.stages) {
+      return StartTask(start.first_stage + shared.stage, shared.coarse, round, shared);
+    }
+    round->task = start.first_stage + start.stages;
+    Compare(Round::Step::kCompareInitial, start.initial, round);
+    return true;
+  }
+
+  SILT_HOST_DEVICE void Compare(Round::Step step, const SE3d& pose, Round* round) const {
+    round->step = step;
+    round->level = 0;
+    round->hide = round->visible = false;
+    SetResiduals(Residuals::kCost, {}, round);
+    SetWarp(pose, 0, round);
+  }
+
+  SILT_HOST_DEVICE void StartJudging(Round* round, Shared& shared) const {
+    const AlignTask& task = tasks[round->task];
     round->step = Round::Step::kJudge;
     round->level = task.judged_level;
     round->hide = round->visible = false;
@@ -320,10 +393,15 @@ struct AlignBody {
     round->warp[r] = kernel::Warp<float>(kernel::Warp<double>(current_from_reference, camera));
   }
 
+  SILT_HOST_DEVICE void TellOutcome(const tracker::NormalEquations::Spread& judged,
+                                    const Shared& shared) const {
+    outcomes[shared.start] = {shared.optimizer, judged, shared.starts_coarsely, shared.coarse};
+  }
+
   SILT_HOST_DEVICE void Finish(const GroupPlace& place,
                                const tracker::NormalEquations::Spread& judged, Round* round,
                                Shared& shared) const {
-    outcomes[shared.start] = {shared.optimizer, judged};
+    TellOutcome(judged, shared);
     Begin(shared.start + place.groups, place, round, shared);
   }
 };

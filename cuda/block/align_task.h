@@ -36,9 +36,12 @@ struct AlignTask {
   tracker::ResidualNorm judged_norm;
 };
 
+// Where there are stages (see AlignmentJob::first), their tasks are those from `first_stage` on,
+// and the one behind them has the pictures that are compared, at its finest level.
 struct AlignStart {
   int task = 0;
   SE3d initial;
+  int first_stage = 0, stages = 0;
 };
 
 // What all blocks of a group do between two of its barriers.
@@ -51,6 +54,8 @@ struct Round {
     kHideBehindCells,
     kHalveVisible,  // to `level`
     kEvaluate,
+    kCompareInitial,
+    kCompareCoarse,
     kJudge,
     kStop
   };

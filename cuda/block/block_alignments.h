@@ -22,7 +22,9 @@ class BlockAlignments {
   explicit BlockAlignments(const Machine& machine) : machine_(machine) {}
 
   static bool CanRun(const tracker::AlignmentJob& job) {
-    return !job.plan.keep_log && int(job.references.size()) <= kMaxReferences;
+    bool logs = job.plan.keep_log;
+    for (const tracker::AlignmentStage& stage : job.first) logs = logs || stage.plan.keep_log;
+    return !logs;
   }
 
   std::vector<tracker::FinishedAlignment> Run(const tracker::AlignmentJobs& jobs) const {
@@ -31,13 +33,14 @@ class BlockAlignments {
     std::map<std::pair<const void*, const void*>, int> of_pair;
     for (const tracker::AlignmentJob& job : jobs) {
       int task = int(tasks.size());
-      if (job.references.size() == 1) {
+      if (job.references.size() == 1 && job.first.empty()) {
         task = of_pair.emplace(std::pair(&job.references[0].pyramid, &job.current), task)
                    .first->second;
       }
       if (task == int(tasks.size())) tasks.push_back(TaskOf(job));
       SILT_CHECK(tasks[std::size_t(task)].plan == job.plan);  // one for all jobs of a pair
-      starts.push_back({task, job.initial});
+      starts.push_back({task, job.initial, int(tasks.size()), int(job.first.size())});
+      AddStages(job, &tasks);
     }
     return Run(std::move(tasks), starts);
   }
@@ -51,16 +54,38 @@ class BlockAlignments {
   // Of all groups together: more would not run faster than those that this much serves.
   static constexpr std::size_t kScratchBytes = std::size_t(4) << 30;
 
+  static void AddStages(const tracker::AlignmentJob& job, std::vector<AlignTask>* tasks) {
+    if (job.first.empty()) return;
+    for (const tracker::AlignmentStage& stage : job.first) tasks->push_back(TaskOf(stage));
+    SILT_CHECK(job.compared != nullptr);
+    tracker::AlignmentStage compared{{}, *job.compared};
+    compared.plan.levels = 1;
+    tasks->push_back(TaskOf(compared));
+  }
+
   static AlignTask TaskOf(const tracker::AlignmentJob& job) {
-    const auto& current = dynamic_cast<const Current&>(job.current);
-    AlignTask task{};
-    task.plan = job.plan;
-    task.exclude_hidden = job.exclude_hidden;
-    task.references = int(job.references.size());
+    AlignTask task = TaskOf(job.plan, job.references, job.current, job.exclude_hidden);
     task.judged_level = job.judged_level;
     task.judged_norm = job.judged_norm;
-    SILT_CHECK(int(current.intensity.size()) >= job.plan.levels);
-    SILT_CHECK(!job.plan.use_depth || !current.inverse_depth.empty());
+    return task;
+  }
+
+  static AlignTask TaskOf(const tracker::AlignmentStage& stage) {
+    return TaskOf(stage.plan, {{stage.images.reference, {}}}, stage.images.current,
+                  stage.exclude_hidden);
+  }
+
+  static AlignTask TaskOf(const tracker::AlignmentPlan& plan,
+                          const tracker::ReferenceViews& references,
+                          const tracker::CurrentPyramid& image, bool exclude_hidden) {
+    const auto& current = dynamic_cast<const Current&>(image);
+    AlignTask task{};
+    task.plan = plan;
+    task.exclude_hidden = exclude_hidden;
+    SILT_CHECK(int(references.size()) <= kMaxReferences);
+    task.references = int(references.size());
+    SILT_CHECK(int(current.intensity.size()) >= plan.levels);
+    SILT_CHECK(!plan.use_depth || !current.inverse_depth.empty());
     for (std::size_t l = 0; l < current.intensity.size(); ++l) {
       task.intensity[l] = current.intensity[l].data();
       task.depth_m[l] = current.has_depth() ? current.depth_m[l].data() : nullptr;
@@ -68,7 +93,7 @@ class BlockAlignments {
           current.inverse_depth.empty() ? nullptr : current.inverse_depth[l].data();
     }
     for (int r = 0; r < task.references; ++r) {
-      task.reference[r] = ReferenceOf(job.references[r], current);
+      task.reference[r] = ReferenceOf(references[r], current);
     }
     return task;
   }
@@ -162,7 +187,8 @@ class BlockAlignments {
       const int count = int(std::min(of_launch, starts.size() - first));
       for (const AlignBody::Outcome& outcome :
            Launch(shares, task_array, &starts[first], count, &batch_ms)) {
-        finished.push_back({outcome.optimizer, outcome.judged, 0});
+        finished.push_back({outcome.optimizer, outcome.judged, {}, 0});
+        if (outcome.starts_coarsely) finished.back().coarse = outcome.coarse;
       }
     }
     for (tracker::FinishedAlignment& each : finished) each.batch_ms = batch_ms;

@@ -31,7 +31,12 @@ class BlockBackend : public tracker::Backend {
 
   std::string name() const override { return name_; }
 
-  void CheckHas(const tracker::AlignmentOptions& options) const override {
+  void CheckHas(const tracker::AlignmentOptions& options, int joint) const override {
+    if (joint > kMaxReferences) {
+      throw Error("keyframes.joint: backend " + name_ + " aligns with at most " +
+                  std::to_string(kMaxReferences) + " keyframes at once; use backend cpu, or " +
+                  std::to_string(kMaxReferences));
+    }
     if (options.interpolant != tracker::Interpolant::kBilinear) {
       throw Error("alignment.interpolant: backend " + name_ +
                   " interpolates bilinearly alone; use backend cpu, or interpolant bilinear");
@@ -103,10 +108,14 @@ class BlockBackend : public tracker::Backend {
     const auto depths = [&](const Pyramid& whole_m) {
       return imaging_.template HalvingsFrom<HalveDepth>(whole_m, halvings, options.levels);
     };
-    const Pyramid depths_m = depths(reference.whole_depth_m);
-    return {std::make_unique<Reference>(
-                imaging_, intensities(reference.intensity), depths_m,
-                imaging_.WithoutEdges(depths_m, options.depth_edge_margin_px), camera),
+    const auto halved = [&] {
+      const Pyramid depths_m = depths(reference.whole_depth_m);
+      return std::make_unique<const Reference>(
+          imaging_, intensities(reference.intensity), depths_m,
+          imaging_.WithoutEdges(depths_m, options.depth_edge_margin_px), camera);
+    };
+    const typename Reference::SmallKey key{halvings, options.levels, options.depth_edge_margin_px};
+    return {halvings > 0 ? reference.Small(key, halved) : halved(),
             std::make_unique<Current>(
                 imaging_, intensities(current.whole_intensity),
                 with_depth && current.has_depth() ? depths(current.depth_m) : Pyramid{}, options)};
@@ -158,6 +167,7 @@ class BlockBackend : public tracker::Backend {
     return jobs.empty() ? std::vector<tracker::FinishedAlignment>{}
                         : Alignments(machine_).Run(jobs);
   }
+  bool runs_alignments() const override { return true; }
 
  private:
   using Alignments = BlockAlignments<Machine>;

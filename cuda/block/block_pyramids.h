@@ -3,7 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -187,7 +190,22 @@ class BlockReference : public tracker::ReferencePyramid {
     levels_ = other.levels_;
   }
 
+  // Smaller pictures of this one, which every frame asks for: how many depths they have is waited
+  // for once. `make` makes them; the key is all that they depend on.
+  using SmallKey = std::array<int, 3>;
+  template <typename Make>
+  std::unique_ptr<const BlockReference> Small(const SmallKey& key, const Make& make) const {
+    const std::lock_guard lock(mutex_);
+    std::unique_ptr<const BlockReference>& small = small_[key];
+    if (!small) small = make();
+    return std::make_unique<const BlockReference>(*small, small->depth_m);
+  }
+
   const Pyramid intensity, whole_depth_m, depth_m;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::map<SmallKey, std::unique_ptr<const BlockReference>> small_;
 };
 
 }  // namespace silt::cuda

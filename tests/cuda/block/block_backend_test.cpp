@@ -306,6 +306,9 @@ TEST(EmulatedBackend, TheOrderOfThreadsChangesNoBit) {
 TEST_P(BlockBackendOn, WhatItLacksIsRefusedByName) {
   tracker::AlignmentOptions options = tracker::AccuratePreset().alignment;
   EXPECT_NO_THROW(block_->CheckHas(options));
+  EXPECT_NO_THROW(block_->CheckHas(options, 4));
+  EXPECT_THROW(block_->CheckHas(options, 5), Error);
+  EXPECT_NO_THROW(cpu_->CheckHas(options, 5));
   options.interpolant = tracker::Interpolant::kCatmullRom;
   try {
     block_->CheckHas(options);

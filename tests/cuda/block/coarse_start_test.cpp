@@ -147,6 +147,84 @@ TEST_P(CoarseStartOn, ManyTogetherFindWhatEachFinds) {
   EXPECT_FALSE(all.back());
 }
 
+void ExpectSamePose(const SE3d& a, const SE3d& b) {
+  EXPECT_EQ(a.translation.x, b.translation.x);
+  EXPECT_EQ(a.translation.z, b.translation.z);
+  EXPECT_EQ(a.rotation.x, b.rotation.x);
+  EXPECT_EQ(a.rotation.z, b.rotation.z);
+}
+
+CoarseOptions TwoStages(int max_width) {
+  CoarseOptions options = tracker::WideStart();
+  options.turns_rad = {{}};
+  options.max_width = max_width;
+  for (tracker::AlignmentOptions& stage : options.stages) {
+    for (int& iterations : stage.max_iterations) iterations = std::min(iterations, 4);
+  }
+  return options;
+}
+
+// From stage to stage on the machine, from there to the comparison and on to the refinement: as
+// where the host asks for each of them.
+TEST_P(CoarseStartOn, RunsTogetherWithTheRefinement) {
+  const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
+  const Pair pair = MakePair(*backend, {4, 1, true});
+  tracker::Keyframe keyframe;
+  keyframe.frame.depth_m = Scene({}).depth_m;
+  const Frame frame;
+  const Image<float> intensity;
+  const tracker::HeldImages held{*backend, pair.images()};
+  const tracker::AlignmentOptions refinement = tracker::FastPreset().alignment;
+  tracker::AlignmentOptions step_by_step = refinement;
+  step_by_step.keep_log = true;
+  const SE3d away = SE3d::Exp({{0, 2.5, 0}, {0, 0, 0}});  // sees nothing of it: no stage ends
+  int found = 0, kept = 0;
+  for (const CoarseOptions& options : {tracker::TurnAlone(), TwoStages(80)}) {
+    CoarseInitializer coarse(backend, options);
+    for (const SE3d& expected : {SE3d{}, SE3d::Exp(0.6 * kPose.Log()), kPose, away}) {
+      const tracker::InitializerInput input{keyframe, frame, intensity, kCamera,
+                                            0,        0,     expected,  held};
+      const auto start = coarse.StartOf(input);
+      ASSERT_TRUE(start);
+      const tracker::ReferenceViews views{{*pair.reference, {}}};
+      const tracker::AlignmentResult whole =
+          tracker::Align(*backend, views, *pair.current, expected, refinement, &*start);
+      const tracker::AlignmentResult steps =
+          tracker::Align(*backend, views, *pair.current, expected, step_by_step, &*start);
+      const std::optional<SE3d> estimate = coarse.Estimate(input).current_from_keyframe;
+      ASSERT_EQ(whole.coarse.has_value(), estimate.has_value());
+      ASSERT_EQ(steps.coarse.has_value(), estimate.has_value());
+      if (estimate) ExpectSamePose(*whole.coarse, *estimate);
+      if (estimate) ExpectSamePose(*steps.coarse, *estimate);
+      ExpectSamePose(whole.current_from_reference, steps.current_from_reference);
+      const tracker::AlignmentResult apart =
+          tracker::Align(*backend, pair.images(), estimate.value_or(expected), refinement);
+      EXPECT_EQ(whole.ok, apart.ok);
+      EXPECT_EQ(whole.ok, Norm((whole.current_from_reference * kPose.Inverse()).Log().v) < 0.01);
+      ExpectSamePose(whole.current_from_reference, apart.current_from_reference);
+      EXPECT_EQ(whole.judged, apart.judged);
+      ++(estimate ? found : kept);
+    }
+  }
+  EXPECT_GE(found, 4);
+  EXPECT_GE(kept, 2);
+}
+
+TEST_P(CoarseStartOn, RunsTogetherFromOnePlaceAlone) {
+  const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
+  const Pair pair = MakePair(*backend, {4, 1, true});
+  tracker::Keyframe keyframe;
+  keyframe.frame.depth_m = Scene({}).depth_m;
+  const Frame frame;
+  const Image<float> intensity;
+  const tracker::HeldImages held{*backend, pair.images()};
+  const tracker::InitializerInput input{keyframe, frame, intensity, kCamera, 0, 0, {}, held};
+  EXPECT_TRUE(CoarseInitializer(backend, tracker::TurnAlone()).StartOf(input));
+  EXPECT_FALSE(CoarseInitializer(backend, tracker::WideStart()).StartOf(input));
+  const tracker::InitializerInput elsewhere{keyframe, frame, intensity, kCamera, 0, 0, {}, {}};
+  EXPECT_FALSE(CoarseInitializer(backend, tracker::TurnAlone()).StartOf(elsewhere));
+}
+
 TEST_P(CoarseStartOn, OnlyWhatIsHeldElsewhereNeedsIntensities) {
   const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
   const CoarseInitializer coarse(backend, tracker::TurnAlone());

@@ -67,16 +67,58 @@ TEST(TrackerTraffic, AFrameIsWaitedForOnce) {
   }
 }
 
-// Its small pictures are made where the large ones lie. Waited for: the counts of the levels of two
-// pairs, the outcome of its one stage, and the costs before and after it together.
-TEST(TrackerTraffic, ACoarseStartSendsNoPictures) {
+// Its small pictures are made where the large ones lie, and what they lead to starts the refinement
+// there. After a keyframe, the counts of its small pictures are waited for, those of the stage and
+// those that are compared, once.
+TEST(TrackerTraffic, ACoarseStartIsNotWaitedFor) {
   tracker::TrackerOptions options = tracker::FastPreset();
   options.always_initialize = true;
-  for (const auto& [use, new_keyframe] : TrackWall(options, 4, true)) {
-    EXPECT_LT(use.uploaded_bytes, 1.2 * kFrameBytes);
-    if (new_keyframe) continue;
-    EXPECT_EQ(use.downloads, 1 + 2 + 1 + 1);
+  const std::vector<FrameTraffic> frames = TrackWall(options, 8, true);
+  int plain = 0;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const auto& [use, new_keyframe] = frames[i];
+    EXPECT_LT(use.uploaded_bytes, 1.2 * kFrameBytes + 16384);
+    const int counts = frames[i - 1].new_keyframe ? 2 : 0;
+    EXPECT_EQ(use.downloads, (new_keyframe ? 4 : 1) + counts) << i;
+    plain += !new_keyframe && counts == 0;
   }
+  EXPECT_GT(plain, 0);
+}
+
+// The initializer of a tracker that asks for the estimate first.
+struct Apart : tracker::Initializer {
+  explicit Apart(std::shared_ptr<const tracker::Backend> backend)
+      : coarse(std::move(backend), tracker::TurnAlone()) {}
+  tracker::InitialEstimate Estimate(const tracker::InitializerInput& input) override {
+    return coarse.Estimate(input);
+  }
+  bool needs_intensities(const tracker::Backend& backend) const override {
+    return coarse.needs_intensities(backend);
+  }
+  tracker::CoarseInitializer coarse;
+};
+
+TEST(TrackerTraffic, ACoarseStartLeadsWhereItLeadsApart) {
+  tracker::TrackerOptions options = tracker::FastPreset();
+  options.always_initialize = true;
+  const std::shared_ptr<const tracker::Backend> backend =
+      MakeEmulatedBackend(ThreadOrder::kForward);
+  tracker::KeyframeTracker together(
+      kCamera, options, backend,
+      std::make_unique<tracker::CoarseInitializer>(backend, tracker::TurnAlone()));
+  tracker::KeyframeTracker apart(kCamera, options, backend, std::make_unique<Apart>(backend));
+  int found = 0;
+  for (int i = 0; i < 6; ++i) {
+    const tracker::TrackedFrame a = together.Track(WallFrame(i)), b = apart.Track(WallFrame(i));
+    EXPECT_EQ(a.world_from_camera.translation.x, b.world_from_camera.translation.x) << i;
+    EXPECT_EQ(a.world_from_camera.rotation.y, b.world_from_camera.rotation.y) << i;
+    const auto &start = a.initial.current_from_keyframe, &other = b.initial.current_from_keyframe;
+    ASSERT_EQ(start.has_value(), other.has_value()) << i;
+    if (!start) continue;
+    ++found;
+    EXPECT_EQ(start->rotation.y, other->rotation.y) << i;
+  }
+  EXPECT_GT(found, 2);
 }
 
 }  // namespace
