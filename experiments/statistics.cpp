@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "silt/core/error.h"
+#include "silt/core/random.h"
 
 namespace silt::experiments {
 
@@ -14,6 +15,24 @@ double Median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+Interval MedianDifference(const std::vector<double>& a, const std::vector<double>& b) {
+  SILT_CHECK(!a.empty() && a.size() == b.size());
+  constexpr int rounds = 4000, tail = rounds / 40;
+  const CounterRandom random(0);
+  const std::size_t n = a.size();
+  std::vector<double> differences, of_a(n), of_b(n);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto drawn = std::size_t(random.Uniform(round * n + i) * double(n));
+      of_a[i] = a[drawn];
+      of_b[i] = b[drawn];
+    }
+    differences.push_back(Median(of_a) - Median(of_b));
+  }
+  std::sort(differences.begin(), differences.end());
+  return {differences[tail], differences[rounds - 1 - tail]};
 }
 
 Statistics Summarize(std::vector<double> values) {

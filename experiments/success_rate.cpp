@@ -52,7 +52,7 @@ SE3d RandomStart(const SE3d& truth, const PoseDifference& offset, std::uint64_t 
 }
 
 Interval WilsonInterval(int successes, int trials) {
-  if (trials <= 0) return {};
+  if (trials <= 0) return {0, 1};
   constexpr double z = 1.959963985;
   const double n = trials, p = successes / n;
   const double centre = (p + z * z / (2 * n)) / (1 + z * z / n);

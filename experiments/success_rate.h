@@ -10,6 +10,7 @@
 #include "silt/experiments/json.h"
 #include "silt/experiments/pair_alignment.h"
 #include "silt/experiments/pose_difference.h"
+#include "silt/experiments/statistics.h"
 #include "silt/tracker/options.h"
 
 namespace silt::experiments {
@@ -29,9 +30,6 @@ struct SuccessRate {
 };
 
 // 95 % interval of a rate (Wilson's, which holds near 0 and 1 too).
-struct Interval {
-  double low = 0, high = 1;
-};
 Interval WilsonInterval(int successes, int trials);
 // The counts, the rate with its interval, and the solves.
 Json ToJson(const SuccessRate& success);

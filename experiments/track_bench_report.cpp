@@ -47,6 +47,32 @@ class Medians {
 
 bool All(const BenchPair&) { return true; }
 
+struct Differences {
+  Interval t_mm, r_deg;
+};
+
+Differences Between(const TrackBench& bench, const MethodRuns& a, const MethodRuns& b, int gap) {
+  const auto of = [&](const MethodRuns& method, double PairRun::*error) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < method.threads.size(); ++i) {
+      if (bench.pairs[i].gap == gap) values.push_back(method.threads[i].*error);
+    }
+    return values;
+  };
+  return {MedianDifference(of(a, &PairRun::t_mm), of(b, &PairRun::t_mm)),
+          MedianDifference(of(a, &PairRun::r_deg), of(b, &PairRun::r_deg))};
+}
+
+// Of each of silt's methods and each of the others.
+void ForRivals(const TrackBench& bench,
+               const std::function<void(const MethodRuns&, const MethodRuns&)>& visit) {
+  for (const MethodRuns& own : bench.methods) {
+    for (const MethodRuns& other : bench.methods) {
+      if (own.has_stages && !other.has_stages) visit(own, other);
+    }
+  }
+}
+
 Json MethodJson(const TrackBench& bench, const MethodRuns& method, const Chosen& chosen) {
   const Medians runs(bench, method.threads, chosen);
   return {{"ms", runs.Milliseconds()},
@@ -93,6 +119,11 @@ Json GapsJson(const TrackBench& bench) {
     for (const MethodRuns& method : bench.methods) {
       json[method.name] = MethodJson(bench, method, chosen);
     }
+    ForRivals(bench, [&](const MethodRuns& own, const MethodRuns& other) {
+      const auto [t_mm, r_deg] = Between(bench, own, other, gap);
+      json[own.name]["less"][other.name] = {{"t_mm_95", {t_mm.low, t_mm.high}},
+                                            {"r_deg_95", {r_deg.low, r_deg.high}}};
+    });
     gaps.push_back(std::move(json));
   }
   return gaps;
@@ -104,6 +135,15 @@ std::string MethodLine(const TrackBench& bench, const MethodRuns& method, int ga
   std::snprintf(line, sizeof line, "%5d  %-16s %10.2f %10.2f %10.4f %10.5f %6d\n", gap,
                 method.name.c_str(), double(json["ms_one_thread"]), double(json["ms"]),
                 double(json["t_mm"]), double(json["r_deg"]), int(json["lost"]));
+  return line;
+}
+
+std::string DifferencesLine(const TrackBench& bench, const MethodRuns& own, const MethodRuns& other,
+                            int gap) {
+  const auto [t_mm, r_deg] = Between(bench, own, other, gap);
+  char line[200];
+  std::snprintf(line, sizeof line, "%5d  %s less %s: %.3f to %.3f mm, %.4f to %.4f deg\n", gap,
+                own.name.c_str(), other.name.c_str(), t_mm.low, t_mm.high, r_deg.low, r_deg.high);
   return line;
 }
 
@@ -156,6 +196,16 @@ std::string TrackBench::Format() const {
   std::string text = line;
   for (const int gap : Gaps(*this)) {
     for (const MethodRuns& method : methods) text += MethodLine(*this, method, gap);
+  }
+  std::string differences;
+  for (const int gap : Gaps(*this)) {
+    ForRivals(*this, [&](const MethodRuns& own, const MethodRuns& other) {
+      differences += DifferencesLine(*this, own, other, gap);
+    });
+  }
+  if (!differences.empty()) {
+    text += "differences of the medians, with a confidence of 95 %; 0 within: not told apart\n" +
+            differences;
   }
   for (const MethodRuns& method : methods) {
     if (method.has_stages) text += StagesLine(*this, method);

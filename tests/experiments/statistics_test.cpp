@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "silt/core/random.h"
 
 namespace silt::experiments {
 namespace {
@@ -37,6 +41,20 @@ TEST(Statistics, ASmallSpreadAboutALargeMeanDoesNotCancel) {
 }
 
 TEST(Statistics, OfNothingBreaksTheContract) { EXPECT_THROW(Summarize({}), std::logic_error); }
+
+// The median of 101 values with a standard deviation of 1 is known to 1.25/sqrt(101).
+TEST(MedianDifference, IsAsWideAsMediansScatter) {
+  const CounterRandom random(4);
+  std::vector<double> a, b;
+  for (std::uint64_t i = 0; i < 101; ++i) {
+    a.push_back(5 + random.Normal(2 * i));
+    b.push_back(random.Normal(2 * i + 1));
+  }
+  const Interval interval = MedianDifference(a, b);
+  EXPECT_NEAR(interval.high - interval.low, 2 * 1.96 * std::sqrt(2.0) * 1.2533 / std::sqrt(101),
+              0.25);
+  EXPECT_NEAR((interval.low + interval.high) / 2, 5, 0.4);
+}
 
 }  // namespace
 }  // namespace silt::experiments

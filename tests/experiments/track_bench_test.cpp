@@ -58,6 +58,31 @@ TEST(TrackBench, ReportsMediansOfAllPairsAndOfEachGap) {
   EXPECT_THAT(bench.Format(), HasSubstr("fast"));
 }
 
+// On each pair a tenth less; and on half of them less, on the others as much more.
+TEST(TrackBench, TellsWhichDifferencesThePairsProve) {
+  TrackBench bench;
+  MethodRuns own{"fast", true, {}, {}}, worse{"worse", false, {}, {}}, same{"same", false, {}, {}};
+  for (int i = 0; i < 40; ++i) {
+    bench.pairs.push_back({{}, 3, 0});
+    const double error = 1 + 0.01 * i;
+    own.threads.push_back(RunOf(1, error));
+    worse.threads.push_back(RunOf(1, error + 0.1));
+    same.threads.push_back(RunOf(1, error + (i % 2 == 0 ? 0.1 : -0.1)));
+  }
+  own.one_thread = own.threads;
+  worse.one_thread = worse.threads;
+  same.one_thread = same.threads;
+  bench.methods = {own, worse, same};
+  const Json gaps = bench.ToJson()["gaps"][0];
+  const Json less = gaps["fast"]["less"];
+  EXPECT_NEAR(less["worse"]["t_mm_95"][0], -0.1, 1e-9);
+  EXPECT_NEAR(less["worse"]["t_mm_95"][1], -0.1, 1e-9);
+  EXPECT_LT(less["same"]["t_mm_95"][0], 0);
+  EXPECT_GT(less["same"]["t_mm_95"][1], 0);
+  EXPECT_FALSE(gaps["worse"].contains("less"));
+  EXPECT_THAT(bench.Format(), HasSubstr("3  fast less worse: -0.100 to -0.100 mm"));
+}
+
 std::vector<BenchPair> StudioPairs() {
   return RenderBenchPairs(StudioWorld(), SmallPictures(160), 30, {2, {1, 2}});
 }
