@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "silt/sim/irradiance.h"
 
+#include <utility>
+
 #include "silt/core/error.h"
 #include "silt/sim/light_cache.h"
 
@@ -12,10 +14,13 @@ namespace {
 // The light of fewer samples is computed in a second or so.
 constexpr std::size_t kFewSamples = 20'000;
 
+std::optional<std::filesystem::path> CacheFile(const Scene& scene, const LightingOptions& options) {
+  return options.cache ? LightCacheFile(scene, options) : std::nullopt;
+}
+
 BakedLight SolveOrRead(const Scene& scene, const RayTracer& tracer, const SurfaceGrid& grid,
-                       const LightingOptions& options) {
-  std::optional<std::filesystem::path> file;
-  if (options.cache && grid.samples().size() >= kFewSamples) file = LightCacheFile(scene, options);
+                       std::optional<std::filesystem::path> file, const LightingOptions& options) {
+  if (grid.samples().size() < kFewSamples) file.reset();
   if (file) {
     if (std::optional<BakedLight> light = ReadLight(*file, grid.samples().size())) {
       return std::move(*light);
@@ -35,7 +40,16 @@ BakedLight SolveOrRead(const Scene& scene, const RayTracer& tracer, const Surfac
 }  // namespace
 
 Irradiance::Irradiance(const Scene& scene, const RayTracer& tracer, const LightingOptions& options)
-    : grid_(scene.mesh, options.direct_spacing_m),
-      light_(SolveOrRead(scene, tracer, grid_, options)) {}
+    : Irradiance(scene, tracer,
+                 std::async(std::launch::deferred,
+                            [&] { return SurfaceGrid(scene.mesh, options.direct_spacing_m); }),
+                 options) {}
+
+// What names the light is computed while the grid is laid.
+Irradiance::Irradiance(const Scene& scene, const RayTracer& tracer, std::future<SurfaceGrid> grid,
+                       const LightingOptions& options)
+    : cached_(CacheFile(scene, options)),
+      grid_(grid.get()),
+      light_(SolveOrRead(scene, tracer, grid_, cached_, options)) {}
 
 }  // namespace silt::sim

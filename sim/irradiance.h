@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <future>
+#include <optional>
+
 #include "silt/sim/light_solver.h"
 #include "silt/sim/lighting_options.h"
 #include "silt/sim/ray_tracer.h"
@@ -14,6 +18,9 @@ namespace silt::sim {
 class Irradiance {
  public:
   Irradiance(const Scene& scene, const RayTracer& tracer, const LightingOptions& options);
+  // With SurfaceGrid(scene.mesh, options.direct_spacing_m), which may be on its way.
+  Irradiance(const Scene& scene, const RayTracer& tracer, std::future<SurfaceGrid> grid,
+             const LightingOptions& options);
 
   // ∫ L cos θ dω at a point of a triangle, on its front (counter-clockwise) or back.
   Vec3f At(std::uint32_t triangle, float u, float v, bool front) const {
@@ -26,6 +33,7 @@ class Irradiance {
   const FineLight& fine() const { return light_.fine; }
 
  private:
+  std::optional<std::filesystem::path> cached_;  // where, if it can be
   SurfaceGrid grid_;
   BakedLight light_;
 };

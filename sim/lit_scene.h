@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -37,6 +38,7 @@ class LitScene {
 
  private:
   Scene scene_;
+  std::future<SurfaceGrid> grid_;  // of the light, laid while the tracer is built
   RayTracer tracer_;
   LightMode light_;
   PathTracer path_tracer_;
