@@ -48,8 +48,11 @@ Irradiance::Irradiance(const Scene& scene, const RayTracer& tracer, const Lighti
 // What names the light is computed while the grid is laid.
 Irradiance::Irradiance(const Scene& scene, const RayTracer& tracer, std::future<SurfaceGrid> grid,
                        const LightingOptions& options)
-    : cached_(CacheFile(scene, options)),
-      grid_(grid.get()),
-      light_(SolveOrRead(scene, tracer, grid_, cached_, options)) {}
+    : Irradiance(scene, tracer, std::move(grid), options, CacheFile(scene, options)) {}
+
+Irradiance::Irradiance(const Scene& scene, const RayTracer& tracer, std::future<SurfaceGrid> grid,
+                       const LightingOptions& options,
+                       const std::optional<std::filesystem::path>& file)
+    : grid_(grid.get()), light_(SolveOrRead(scene, tracer, grid_, file, options)) {}
 
 }  // namespace silt::sim

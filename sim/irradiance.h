@@ -33,7 +33,10 @@ class Irradiance {
   const FineLight& fine() const { return light_.fine; }
 
  private:
-  std::optional<std::filesystem::path> cached_;  // where, if it can be
+  // Kept in that file, or read from it, where there is one.
+  Irradiance(const Scene& scene, const RayTracer& tracer, std::future<SurfaceGrid> grid,
+             const LightingOptions& options, const std::optional<std::filesystem::path>& file);
+
   SurfaceGrid grid_;
   BakedLight light_;
 };

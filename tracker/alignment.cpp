@@ -147,17 +147,16 @@ AlignmentJob JobOf(const Backend& backend, const ReferenceViews& references,
           JudgedLevel(references.front().pyramid),
           JudgedNorm(),
           {},
-          nullptr};
+          {}};
 }
 
-void AddStages(const Backend& backend, const CoarseStart& first, AlignmentJob* job,
-               const ImagePair& compared) {
+void AddStages(const Backend& backend, const CoarseStart& first, AlignmentJob* job) {
   for (const CoarseStart::Stage& stage : first.stages) {
     const AlignmentJob alone =
         JobOf(backend, {{*stage.pair.reference, {}}}, *stage.pair.current, {}, stage.options);
     job->first.push_back({alone.plan, stage.pair.images(), alone.exclude_hidden});
   }
-  job->compared = &compared;
+  job->compared.emplace(first.compared.images());
 }
 
 AlignmentResult ResultOf(const FinishedAlignment& finished, const AlignmentJob& job,
@@ -207,11 +206,7 @@ AlignmentResult Align(const Backend& backend, const ReferenceViews& references,
                       const CurrentPyramid& current, const SE3d& initial,
                       const AlignmentOptions& options, const CoarseStart* first) {
   AlignmentJob job = JobOf(backend, references, current, initial, options);
-  std::optional<ImagePair> compared;
-  if (first) {
-    compared.emplace(first->compared.images());
-    AddStages(backend, *first, &job, *compared);
-  }
+  if (first) AddStages(backend, *first, &job);
   double milliseconds = 0;
   std::vector<FinishedAlignment> finished;
   {

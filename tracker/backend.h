@@ -89,9 +89,9 @@ struct AlignmentJob {
   ResidualNorm judged_norm;
   // Come first, each from where the one before it has ended, the first from `initial`. The job
   // starts from their end, if none fails and IsMoreAlike says so of that and `initial`, by the
-  // finest level of `compared`; else from `initial`.
+  // finest level of `compared`, which is there where they are; else from `initial`.
   PooledVector<AlignmentStage> first;
-  const ImagePair* compared = nullptr;  // where there are any
+  std::optional<ImagePair> compared;
 };
 
 using AlignmentJobs = PooledVector<AlignmentJob>;

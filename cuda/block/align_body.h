@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "silt/cuda/block/align_course.h"
 #include "silt/cuda/block/align_task.h"
 #include "silt/cuda/block/pyramid_bodies.h"
 
@@ -10,42 +11,24 @@ namespace silt::cuda {
 // Whole alignments, from the first pose to the last. Each group of blocks takes every groups-th
 // start, and goes through rounds: all its blocks work on what the round says (Work, in WorkPhases
 // phases), meet, and the first block alone decides what the next round is (Decide, in DecidePhases
-// phases), while the others wait; a first decision comes before all work. Between two phases the
-// threads of a block meet; within one, no thread may read what another one of the group writes. A
-// block's Shared stays from round to round.
+// phases; see AlignCourse), while the others wait; a first decision comes before all work. Between
+// two phases the threads of a block meet; within one, no thread may read what another one of the
+// group writes. A block's Shared stays from round to round.
 struct AlignBody {
-  using Optimizer = tracker::LevenbergMarquardt;
-
-  struct Outcome {
-    Optimizer optimizer;
-    tracker::NormalEquations::Spread judged;  // of the intensity; zeros where it was not
-    bool starts_coarsely;                     // from `coarse`, where the stages have ended
-    SE3d coarse;
-  };
-
   struct Shared {
     UnitSums unit;
     // The rest is the first block's.
     TileSums tiles;
     ImageSums image;
     tracker::NormalEquations equations;
-    Optimizer optimizer;
-    int start;          // the alignment under way
-    int stage;          // of its stages, the one under way; as many as there are: past them
-    bool found_hidden;  // by the keyframe's own depth
-    bool starts_coarsely;
-    SE3d coarse;
-    tracker::PhotometricCost at_initial;
+    AlignCourse::State state;
   };
 
-  const AlignTask* tasks;
-  const AlignStart* starts;
-  int count;        // of starts
+  AlignCourse course;
   Round* rounds;    // [groups]
   Scratch scratch;  // of group 0; those of the others follow
   ScratchSize size;
-  int references;     // of the task that has most
-  Outcome* outcomes;  // [count]
+  int references;  // of the task that has most
 
   SILT_HOST_DEVICE bool Finished(const GroupPlace& place) const {
     return rounds[place.group].step == Round::Step::kStop;
@@ -63,7 +46,7 @@ struct AlignBody {
       const int unit = place.block + turn % turns * place.blocks;
       return Evaluate(phase % UnitSums::kPhases, round, turn / turns, unit, place, shared.unit);
     }
-    for (int r = 0; r < tasks[round.task].references; ++r) FindHidden(round, r, place);
+    for (int r = 0; r < course.tasks[round.task].references; ++r) FindHidden(round, r, place);
   }
 
   SILT_HOST_DEVICE int DecidePhases(const GroupPlace& place) const {
@@ -79,7 +62,9 @@ struct AlignBody {
       if (step < TileSums::kPhases) return AddUnits(step, r, place, shared);
       if (place.thread == 0) AddReference(r, place, shared);
     }
-    if (phase + 1 == phases && place.thread == 0) Advance(place, shared);
+    if (phase + 1 == phases && place.thread == 0) {
+      course.Advance(place, shared.equations, &rounds[place.group], shared.state);
+    }
   }
 
  private:
@@ -88,7 +73,7 @@ struct AlignBody {
            round.step == Round::Step::kCompareInitial || round.step == Round::Step::kCompareCoarse;
   }
   SILT_HOST_DEVICE int References(const Round& round) const {
-    return round.step == Round::Step::kJudge ? 1 : tasks[round.task].references;
+    return round.step == Round::Step::kJudge ? 1 : course.tasks[round.task].references;
   }
   // How many units of an image the block takes, one after the other.
   SILT_HOST_DEVICE int Turns(const Round& round, const GroupPlace& place) const {
@@ -96,7 +81,7 @@ struct AlignBody {
     return units > place.block ? (units - place.block + place.blocks - 1) / place.blocks : 0;
   }
   SILT_HOST_DEVICE const PinholeCamera& CameraAt(const Round& round, int level) const {
-    return tasks[round.task].reference[0].cameras[level];
+    return course.tasks[round.task].reference[0].cameras[level];
   }
   SILT_HOST_DEVICE Tiling TilingAt(const Round& round) const {
     const PinholeCamera& camera = CameraAt(round, round.level);
@@ -130,7 +115,7 @@ struct AlignBody {
   // were there before the round.
   SILT_HOST_DEVICE void Linearize(const Round& round, int r, int unit, const GroupPlace& place,
                                   float* part) const {
-    const AlignTask& task = tasks[round.task];
+    const AlignTask& task = course.tasks[round.task];
     const TaskReference& reference = task.reference[r];
     const int level = round.level;
     const Tiling tiling = TilingAt(round);
@@ -164,7 +149,7 @@ struct AlignBody {
 
   // The steps of BlockBackend::HiddenByItself, one a round.
   SILT_HOST_DEVICE void FindHidden(const Round& round, int r, const GroupPlace& place) const {
-    const TaskReference& reference = tasks[round.task].reference[r];
+    const TaskReference& reference = course.tasks[round.task].reference[r];
     const int width = reference.cameras[0].width, height = reference.cameras[0].height;
     const kernel::CellGrid grid = kernel::CellsOf(width, height);
     const int cells = grid.columns * grid.rows;
@@ -215,194 +200,8 @@ struct AlignBody {
   }
   SILT_HOST_DEVICE const tracker::ResidualNorm& NormOf(const Round& round,
                                                        const Shared& shared) const {
-    return round.step == Round::Step::kJudge ? tasks[round.task].judged_norm
-                                             : shared.optimizer.norm();
-  }
-
-  // The first thread of the group from here on.
-  SILT_HOST_DEVICE void Advance(const GroupPlace& place, Shared& shared) const {
-    Round& round = rounds[place.group];
-    switch (round.step) {
-      case Round::Step::kBegin:
-        return Begin(place.group, place, &round, shared);
-      case Round::Step::kEmptyCells:
-        round.step = Round::Step::kFillCells;
-        return;
-      case Round::Step::kFillCells:
-        round.step = Round::Step::kSpreadCells;
-        return;
-      case Round::Step::kSpreadCells:
-        round.step = Round::Step::kHideBehindCells;
-        return;
-      case Round::Step::kHideBehindCells:
-      case Round::Step::kHalveVisible:
-        if (round.level + 1 < shared.optimizer.level()) {
-          ++round.level;
-          round.step = Round::Step::kHalveVisible;
-          return;
-        }
-        return Want(&round, shared);
-      case Round::Step::kEvaluate:
-        shared.optimizer.Take(tasks[round.task].plan, shared.equations);
-        if (shared.optimizer.wanted() == Optimizer::Wanted::kNothing) {
-          return GoOn(place, &round, shared);
-        }
-        return shared.optimizer.starts_level() ? StartLevel(&round, shared) : Want(&round, shared);
-      case Round::Step::kCompareInitial:
-        shared.at_initial = shared.equations.cost;
-        return Compare(Round::Step::kCompareCoarse, shared.coarse, &round);
-      case Round::Step::kCompareCoarse:
-        shared.starts_coarsely = tracker::IsMoreAlike(shared.equations.cost, shared.at_initial);
-        if (!StartTask(starts[shared.start].task, Initial(shared), &round, shared)) {
-          GoOn(place, &round, shared);
-        }
-        return;
-      case Round::Step::kJudge:
-        return Finish(place, shared.equations.intensity, &round, shared);
-      case Round::Step::kStop:
-        return;
-    }
-  }
-
-  // The next alignment of the group, from `start` on, if there is one.
-  SILT_HOST_DEVICE void Begin(int start, const GroupPlace& place, Round* round,
-                              Shared& shared) const {
-    if (!Enter(start, round, shared)) GoOn(place, round, shared);
-  }
-
-  // Whether there is anything to do for it.
-  SILT_HOST_DEVICE bool Enter(int start, Round* round, Shared& shared) const {
-    shared.start = start;
-    if (start >= count) {
-      round->step = Round::Step::kStop;
-      return true;
-    }
-    const AlignStart& entered = starts[start];
-    shared.stage = 0;
-    shared.starts_coarsely = false;
-    shared.coarse = entered.initial;
-    return StartTask(entered.stages > 0 ? entered.first_stage : entered.task, entered.initial,
-                     round, shared);
-  }
-
-  // Whether it wants anything at all.
-  SILT_HOST_DEVICE bool StartTask(int task, const SE3d& initial, Round* round,
-                                  Shared& shared) const {
-    round->task = task;
-    shared.found_hidden = false;
-    shared.optimizer = Optimizer(tasks[task].plan, initial);
-    if (shared.optimizer.wanted() == Optimizer::Wanted::kNothing) return false;
-    StartLevel(round, shared);
-    return true;
-  }
-
-  SILT_HOST_DEVICE SE3d Initial(const Shared& shared) const {
-    return shared.starts_coarsely ? shared.coarse : starts[shared.start].initial;
-  }
-
-  // From what the optimizer has ended to the next thing that is to be done.
-  SILT_HOST_DEVICE void GoOn(const GroupPlace& place, Round* round, Shared& shared) const {
-    for (bool busy = false; !busy;) {
-      const AlignStart& start = starts[shared.start];
-      const bool ok = shared.optimizer.failure() == tracker::AlignmentFailure::kNone;
-      if (shared.stage < start.stages) {
-        busy = EndStage(ok, start, round, shared);
-      } else if (ok && tasks[round->task].judged_level >= 0) {
-        return StartJudging(round, shared);
-      } else {
-        TellOutcome({}, shared);
-        busy = Enter(shared.start + place.groups, round, shared);
-      }
-    }
-  }
-
-  SILT_HOST_DEVICE bool EndStage(bool ok, const AlignStart& start, Round* round,
-                                 Shared& shared) const {
-    if (!ok) {
-      shared.stage = start.stages;
-      return StartTask(start.task, start.initial, round, shared);
-    }
-    shared.coarse = shared.optimizer.accepted_pose();
-    if (++shared.stage < start.stages) {
-      return StartTask(start.first_stage + shared.stage, shared.coarse, round, shared);
-    }
-    round->task = start.first_stage + start.stages;
-    Compare(Round::Step::kCompareInitial, start.initial, round);
-    return true;
-  }
-
-  SILT_HOST_DEVICE void Compare(Round::Step step, const SE3d& pose, Round* round) const {
-    round->step = step;
-    round->level = 0;
-    round->hide = round->visible = false;
-    SetResiduals(Residuals::kCost, {}, round);
-    SetWarp(pose, 0, round);
-  }
-
-  SILT_HOST_DEVICE void StartJudging(Round* round, Shared& shared) const {
-    const AlignTask& task = tasks[round->task];
-    round->step = Round::Step::kJudge;
-    round->level = task.judged_level;
-    round->hide = round->visible = false;
-    SetResiduals(ResidualsOf(task.judged_norm), task.judged_norm, round);
-    SetWarp(shared.optimizer.accepted_pose(), 0, round);
-  }
-
-  SILT_HOST_DEVICE void StartLevel(Round* round, Shared& shared) const {
-    const AlignTask& task = tasks[round->task];
-    round->visible = task.exclude_hidden;
-    if (!task.exclude_hidden || task.depth_m[0] != nullptr) {
-      Want(round, shared);
-      round->hide = task.exclude_hidden;
-      return;
-    }
-    // The keyframe's own depth tells at the first level, and again where the pose is all but known.
-    if (shared.found_hidden && shared.optimizer.level() > 1) return Want(round, shared);
-    shared.found_hidden = true;
-    round->step = Round::Step::kEmptyCells;
-    round->level = 0;
-    SetWarps(shared.optimizer.pose(), round);
-  }
-
-  // What the optimizer wants.
-  SILT_HOST_DEVICE void Want(Round* round, Shared& shared) const {
-    const Optimizer& optimizer = shared.optimizer;
-    round->step = Round::Step::kEvaluate;
-    round->level = optimizer.level() - 1;
-    round->hide = false;
-    SetResiduals(optimizer.wanted() == Optimizer::Wanted::kCost ? Residuals::kCost
-                                                                : ResidualsOf(optimizer.norm()),
-                 optimizer.norm(), round);
-    SetWarps(optimizer.pose(), round);
-  }
-
-  SILT_HOST_DEVICE void SetResiduals(Residuals kind, const tracker::ResidualNorm& norm,
-                                     Round* round) const {
-    round->kind = kind;
-    round->intensity_norm = tracker::FloatNorm<kernel::RobustNorm<float>>(norm.intensity);
-    round->inverse_depth_norm = tracker::FloatNorm<kernel::RobustNorm<float>>(norm.inverse_depth);
-  }
-  SILT_HOST_DEVICE void SetWarps(const SE3d& current_from_anchor, Round* round) const {
-    const AlignTask& task = tasks[round->task];
-    for (int r = 0; r < task.references; ++r) {
-      SetWarp(current_from_anchor * task.reference[r].anchor_from_reference, r, round);
-    }
-  }
-  SILT_HOST_DEVICE void SetWarp(const SE3d& current_from_reference, int r, Round* round) const {
-    const PinholeCamera& camera = tasks[round->task].reference[r].cameras[round->level];
-    round->warp[r] = kernel::Warp<float>(kernel::Warp<double>(current_from_reference, camera));
-  }
-
-  SILT_HOST_DEVICE void TellOutcome(const tracker::NormalEquations::Spread& judged,
-                                    const Shared& shared) const {
-    outcomes[shared.start] = {shared.optimizer, judged, shared.starts_coarsely, shared.coarse};
-  }
-
-  SILT_HOST_DEVICE void Finish(const GroupPlace& place,
-                               const tracker::NormalEquations::Spread& judged, Round* round,
-                               Shared& shared) const {
-    TellOutcome(judged, shared);
-    Begin(shared.start + place.groups, place, round, shared);
+    return round.step == Round::Step::kJudge ? course.tasks[round.task].judged_norm
+                                             : shared.state.optimizer.norm();
   }
 };
 

@@ -57,7 +57,7 @@ class BlockAlignments {
   static void AddStages(const tracker::AlignmentJob& job, std::vector<AlignTask>* tasks) {
     if (job.first.empty()) return;
     for (const tracker::AlignmentStage& stage : job.first) tasks->push_back(TaskOf(stage));
-    SILT_CHECK(job.compared != nullptr);
+    SILT_CHECK(job.compared.has_value());
     tracker::AlignmentStage compared{{}, *job.compared};
     compared.plan.levels = 1;
     tasks->push_back(TaskOf(compared));
@@ -185,7 +185,7 @@ class BlockAlignments {
     double batch_ms = 0;
     for (std::size_t first = 0; first < starts.size(); first += of_launch) {
       const int count = int(std::min(of_launch, starts.size() - first));
-      for (const AlignBody::Outcome& outcome :
+      for (const AlignCourse::Outcome& outcome :
            Launch(shares, task_array, &starts[first], count, &batch_ms)) {
         finished.push_back({outcome.optimizer, outcome.judged, {}, 0});
         if (outcome.starts_coarsely) finished.back().coarse = outcome.coarse;
@@ -195,15 +195,15 @@ class BlockAlignments {
     return finished;
   }
 
-  std::vector<AlignBody::Outcome> Launch(const Shares& shares, const Array<AlignTask>& tasks,
-                                         const AlignStart* starts, int count,
-                                         double* batch_ms) const {
+  std::vector<AlignCourse::Outcome> Launch(const Shares& shares, const Array<AlignTask>& tasks,
+                                           const AlignStart* starts, int count,
+                                           double* batch_ms) const {
     const ScratchSize& size = shares.size;
     const int groups = std::min(shares.groups, count);
     const std::size_t n = std::size_t(groups), of_all = n * std::size_t(shares.references);
     Array<AlignStart> start_array(machine_, std::size_t(count));
     Array<Round> rounds(machine_, n);
-    Array<AlignBody::Outcome> outcomes(machine_, std::size_t(count));
+    Array<AlignCourse::Outcome> outcomes(machine_, std::size_t(count));
     Array<float> visible(machine_, of_all * size.visible);
     Array<float> nearest(machine_, of_all * size.cells);
     Array<float> spread(machine_, of_all * size.cells);
@@ -215,10 +215,13 @@ class BlockAlignments {
                           tile_sums.data()};
     typename Machine::Timer timer;
     machine_.RunGroups(groups, shares.BlocksOf(groups),
-                       AlignBody{tasks.data(), start_array.data(), count, rounds.data(), scratch,
-                                 size, shares.references, outcomes.data()},
+                       AlignBody{{tasks.data(), start_array.data(), count, outcomes.data()},
+                                 rounds.data(),
+                                 scratch,
+                                 size,
+                                 shares.references},
                        &timer);
-    std::vector<AlignBody::Outcome> result = machine_.Download(outcomes);
+    std::vector<AlignCourse::Outcome> result = machine_.Download(outcomes);
     *batch_ms += timer.Milliseconds();  // now that it has been waited for
     return result;
   }

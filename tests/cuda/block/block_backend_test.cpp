@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "silt/tracker/kernel/image_sampler.h"
 #include "silt/tracker/kernel/residual.h"
 #include "silt/tracker/kernel/robust_norm.h"
+#include "silt/tracker/keyframe_tracker.h"
 #include "silt/tracker/pixel_sums.h"
 #include "wavy_wall.h"
 
@@ -301,6 +303,15 @@ TEST(EmulatedBackend, TheOrderOfThreadsChangesNoBit) {
     EXPECT_EQ(forward->Cost({*seen, *one.current}, level, kPose),
               backward->Cost({*too, *other.current}, level, kPose));
   }
+}
+
+TEST_P(BlockBackendOn, ATrackerWithTooManyJointKeyframesIsRefused) {
+  const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
+  tracker::TrackerOptions options = tracker::AccuratePreset();
+  options.keyframes.joint = 4;
+  EXPECT_NO_THROW(tracker::KeyframeTracker(kCamera, options, backend, nullptr));
+  options.keyframes.joint = 5;
+  EXPECT_THROW(tracker::KeyframeTracker(kCamera, options, backend, nullptr), Error);
 }
 
 TEST_P(BlockBackendOn, WhatItLacksIsRefusedByName) {

@@ -28,6 +28,24 @@ tracker::ResidualNorm Robust(bool use_depth) {
   return norm;
 }
 
+// Images that a machine holds, and what an initializer is given of them: no intensities.
+struct HeldPair {
+  explicit HeldPair(const tracker::Backend& machine)
+      : backend(machine), pair(MakePair(machine, {4, 1, true})) {
+    keyframe.frame.depth_m = Scene({}).depth_m;
+  }
+  tracker::InitializerInput From(const SE3d& expected) const {
+    return {keyframe, frame, intensity, kCamera,
+            0,        0,     expected,  tracker::HeldImages{backend, pair.images()}};
+  }
+
+  const tracker::Backend& backend;
+  const Pair pair;
+  tracker::Keyframe keyframe;
+  const Frame frame;
+  const Image<float> intensity;
+};
+
 class CoarseStartOn : public BackendTest {
  protected:
   // Edges left out of what is held come back.
@@ -115,28 +133,22 @@ TEST_P(CoarseStartOn, StartsAreThoseOfTheHostsPictures) {
 // Of many expected poses, all stages run together.
 TEST_P(CoarseStartOn, ManyTogetherFindWhatEachFinds) {
   const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
-  const Pair pair = MakePair(*backend, {4, 1, true});
+  const HeldPair held(*backend);
   CoarseOptions options = tracker::WideStart();
   for (tracker::AlignmentOptions& stage : options.stages) {
     for (int& iterations : stage.max_iterations) iterations = std::min(iterations, 3);
   }
   options.max_width = 80;
   const CoarseInitializer coarse(backend, options);
-  tracker::Keyframe keyframe;
-  keyframe.frame.depth_m = Scene({}).depth_m;
-  const Frame frame;
-  const Image<float> intensity;
-  const tracker::HeldImages held{*backend, pair.images()};
   std::vector<SE3d> expected;
   for (const double k : {0.0, 0.8, 1.5}) expected.push_back(SE3d::Exp(k * kPose.Log()));
   expected.push_back(SE3d::Exp({{0, 2.5, 0}, {0, 0, 0}}));  // sees nothing of it
-  const auto all = coarse.FindFrom({keyframe, frame, intensity, kCamera, 0, 0, {}, held}, expected);
+  const auto all = coarse.FindFrom(held.From({}), expected);
   ASSERT_EQ(all.size(), expected.size());
   int found = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto one = CoarseInitializer(backend, options)
-                         .Estimate({keyframe, frame, intensity, kCamera, 0, 0, expected[i], held})
-                         .current_from_keyframe;
+    const auto one =
+        CoarseInitializer(backend, options).Estimate(held.From(expected[i])).current_from_keyframe;
     ASSERT_EQ(all[i].has_value(), one.has_value()) << i;
     if (!one) continue;
     ++found;
@@ -183,12 +195,7 @@ CoarseOptions WithoutEnd() {
 // where the host asks for each of them.
 TEST_P(CoarseStartOn, RunsTogetherWithTheRefinement) {
   const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
-  const Pair pair = MakePair(*backend, {4, 1, true});
-  tracker::Keyframe keyframe;
-  keyframe.frame.depth_m = Scene({}).depth_m;
-  const Frame frame;
-  const Image<float> intensity;
-  const tracker::HeldImages held{*backend, pair.images()};
+  const HeldPair held(*backend);
   const tracker::AlignmentOptions refinement = tracker::FastPreset().alignment;
   tracker::AlignmentOptions step_by_step = refinement;
   step_by_step.keep_log = true;
@@ -198,15 +205,14 @@ TEST_P(CoarseStartOn, RunsTogetherWithTheRefinement) {
        {tracker::TurnAlone(), TwoStages(80), CoarsestAlone(), WithoutEnd()}) {
     CoarseInitializer coarse(backend, options);
     for (const SE3d& expected : {SE3d{}, SE3d::Exp(0.6 * kPose.Log()), kPose, away}) {
-      const tracker::InitializerInput input{keyframe, frame, intensity, kCamera,
-                                            0,        0,     expected,  held};
+      const tracker::InitializerInput input = held.From(expected);
       const auto start = coarse.StartOf(input);
       ASSERT_TRUE(start);
-      const tracker::ReferenceViews views{{*pair.reference, {}}};
+      const tracker::ReferenceViews views{{*held.pair.reference, {}}};
       const tracker::AlignmentResult whole =
-          tracker::Align(*backend, views, *pair.current, expected, refinement, &*start);
+          tracker::Align(*backend, views, *held.pair.current, expected, refinement, &*start);
       const tracker::AlignmentResult steps =
-          tracker::Align(*backend, views, *pair.current, expected, step_by_step, &*start);
+          tracker::Align(*backend, views, *held.pair.current, expected, step_by_step, &*start);
       const std::optional<SE3d> estimate = coarse.Estimate(input).current_from_keyframe;
       ASSERT_EQ(whole.coarse.has_value(), estimate.has_value());
       ASSERT_EQ(steps.coarse.has_value(), estimate.has_value());
@@ -214,7 +220,7 @@ TEST_P(CoarseStartOn, RunsTogetherWithTheRefinement) {
       if (estimate) ExpectSamePose(*steps.coarse, *estimate);
       ExpectSamePose(whole.current_from_reference, steps.current_from_reference);
       const tracker::AlignmentResult apart =
-          tracker::Align(*backend, pair.images(), estimate.value_or(expected), refinement);
+          tracker::Align(*backend, held.pair.images(), estimate.value_or(expected), refinement);
       EXPECT_EQ(whole.ok, apart.ok);
       EXPECT_EQ(whole.ok, Norm((whole.current_from_reference * kPose.Inverse()).Log().v) < 0.01);
       ExpectSamePose(whole.current_from_reference, apart.current_from_reference);
@@ -228,16 +234,11 @@ TEST_P(CoarseStartOn, RunsTogetherWithTheRefinement) {
 
 TEST_P(CoarseStartOn, RunsTogetherFromOnePlaceAlone) {
   const std::shared_ptr<const tracker::Backend> backend = std::move(block_);
-  const Pair pair = MakePair(*backend, {4, 1, true});
-  tracker::Keyframe keyframe;
-  keyframe.frame.depth_m = Scene({}).depth_m;
-  const Frame frame;
-  const Image<float> intensity;
-  const tracker::HeldImages held{*backend, pair.images()};
-  const tracker::InitializerInput input{keyframe, frame, intensity, kCamera, 0, 0, {}, held};
+  const HeldPair held(*backend);
+  const tracker::InitializerInput input = held.From({});
   EXPECT_TRUE(CoarseInitializer(backend, tracker::TurnAlone()).StartOf(input));
   EXPECT_FALSE(CoarseInitializer(backend, tracker::WideStart()).StartOf(input));
-  const tracker::InitializerInput elsewhere{keyframe, frame, intensity, kCamera, 0, 0, {}, {}};
+  const tracker::InitializerInput elsewhere{held.keyframe, held.frame, held.intensity, kCamera};
   EXPECT_FALSE(CoarseInitializer(backend, tracker::TurnAlone()).StartOf(elsewhere));
 }
 
