@@ -37,6 +37,7 @@ void VisitOptions(Options& o, const Visitor& visit) {
   visit("alignment", "affine_brightness", a.affine_brightness);
   visit("alignment", "depth_patch_px", a.depth_patch_px);
   visit("alignment", "max_disagreement", a.max_disagreement);
+  visit("alignment", "registered_contrast", a.registered_contrast);
   visit("alignment", "rotation_only", a.rotation_only);
   visit("alignment", "covariance_factor", a.covariance_factor);
   auto& k = o.keyframes;

@@ -18,6 +18,13 @@
 namespace silt::tracker {
 namespace {
 
+// The camera is the same for all of them.
+double EdgeContrast(const ReferenceViews& references) {
+  double most = 0;
+  for (const ReferenceView& view : references) most = std::max(most, view.edge_contrast);
+  return most;
+}
+
 AlignmentPlan PlanOf(const ReferenceViews& references, const CurrentPyramid& current,
                      const AlignmentOptions& options) {
   SILT_CHECK(options.levels() <= kMaxPyramidLevels);
@@ -43,7 +50,8 @@ AlignmentPlan PlanOf(const ReferenceViews& references, const CurrentPyramid& cur
   plan.rotation_only = options.rotation_only;
   plan.fit_brightness = options.affine_brightness;
   plan.depth_patch_px = options.depth_patch_px;
-  plan.max_disagreement = options.max_disagreement;
+  if (options.DoubtsColours(EdgeContrast(references)))
+    plan.max_disagreement = options.max_disagreement;
   plan.keep_log = options.keep_log;
   plan.robust_scale = options.robust_scale;
   plan.robust_gradient = options.robust_gradient;

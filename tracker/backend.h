@@ -31,10 +31,8 @@ using PyramidLevels = PooledVector<PyramidLevel>;
 class ReferencePyramid {
  public:
   virtual ~ReferencePyramid() = default;
-  const PyramidLevels& levels() const { return levels_; }
-
- protected:
-  PyramidLevels levels_;
+  // Where images lie elsewhere, whoever looks first may have to wait for what was counted there.
+  virtual const PyramidLevels& levels() const = 0;
 };
 
 // The same of the current image, whose depth may be missing.
@@ -65,6 +63,7 @@ struct OwnedPair {
 struct ReferenceView {
   const ReferencePyramid& pyramid;
   SE3d anchor_from_reference;
+  double edge_contrast = 0;  // see ImageContent; 0: not known
 };
 
 using ReferenceViews = PooledVector<ReferenceView>;
@@ -102,6 +101,14 @@ struct FinishedAlignment {
   std::optional<SE3d> coarse;      // the end of the stages that came first, if it started there
   // That all the jobs it was run with took together, by the clock of the device that ran them.
   double batch_ms = 0;
+};
+
+// Runs since it was made.
+class DeviceClock {
+ public:
+  virtual ~DeviceClock() = default;
+  // What the device has taken for all that it was asked for since, for whose end this waits.
+  virtual double Milliseconds() = 0;
 };
 
 // Reductions over pixels; knows no vision beyond tracker/kernel. Every sum has the same bits in
@@ -182,6 +189,9 @@ class Backend {
   virtual std::vector<FinishedAlignment> Run(const AlignmentJobs&) const { return {}; }
   // Whether it does so at all.
   virtual bool runs_alignments() const { return false; }
+
+  // Nothing where the work is the host's, by whose clock it is known.
+  virtual std::unique_ptr<DeviceClock> StartClock() const { return nullptr; }
 };
 
 }  // namespace silt::tracker

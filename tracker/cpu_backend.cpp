@@ -59,9 +59,14 @@ class CpuReference : public ReferencePyramid, public Pooled {
     levels_ = other.levels_;
   }
 
+  const PyramidLevels& levels() const override { return levels_; }
+
   const int finest;  // of the levels that are kept; those above it are null
   CpuPyramid intensity;
   CpuPyramid depth_m;
+
+ private:
+  PyramidLevels levels_;
 };
 
 // An intensity beside a depth edge is NaN, so that nothing is compared with it.

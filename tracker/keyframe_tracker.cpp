@@ -250,8 +250,9 @@ void KeyframeTracker::Refine(const KeyframeIds& nearest, const CurrentPyramid& c
   const SE3d anchor_from_world = keyframes_[nearest.front()].world_from_camera.Inverse();
   ReferenceViews views;
   for (const int id : nearest) {
-    views.push_back(
-        {*references_[id].pyramid, anchor_from_world * keyframes_[id].world_from_camera});
+    const Reference& reference = references_[id];
+    views.push_back({*reference.pyramid, anchor_from_world * keyframes_[id].world_from_camera,
+                     reference.content.edge_contrast});
   }
   views.front().anchor_from_reference = {};  // exactly
   result->alignment = Align(*backend_, views, current, initial, options_.alignment, first);
@@ -292,6 +293,9 @@ void KeyframeTracker::RetireStale(const TrackedFrame& result) {
 
 void KeyframeTracker::Polish(const Frame& frame, TrackedFrame* result) {
   if (keyframes_.empty() || options_.keyframes.polish_iterations == 0) return;
+  // Which lets intensities count in full.
+  const ImageContent& content = references_[result->keyframe_id].content;
+  if (options_.alignment.DoubtsColours(content.edge_contrast)) return;
   AlignmentOptions fine = options_.alignment;
   fine.max_iterations = {options_.keyframes.polish_iterations};
   fine.min_update_norm /= 10;

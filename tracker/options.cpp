@@ -30,6 +30,11 @@ PyramidOptions AlignmentOptions::Pyramids() const {
   return options;
 }
 
+bool AlignmentOptions::DoubtsColours(double edge_contrast) const {
+  if (max_disagreement == 0) return false;
+  return registered_contrast == 0 || (edge_contrast > 0 && edge_contrast < registered_contrast);
+}
+
 void AlignmentOptions::Validate() const {
   CheckRange("alignment.max_iterations (number of pyramid levels)", levels(), 1, 12);
   for (int iterations : max_iterations) {
@@ -47,6 +52,7 @@ void AlignmentOptions::Validate() const {
   CheckRange("alignment.robust_gradient", robust_gradient, 0, 1e6);
   CheckRange("alignment.depth_patch_px", depth_patch_px, 1, 100);
   CheckRange("alignment.max_disagreement", max_disagreement, 0, 1e9);
+  CheckRange("alignment.registered_contrast", registered_contrast, 0, 1e6);
   CheckRange("alignment.scale_rounds", scale_rounds, 0, 100);
   CheckRange("alignment.covariance_factor", covariance_factor, 1e-6, 1e6);
   if (depth_residual && !(use_current_depth && robust_scale > 0)) {
@@ -108,6 +114,8 @@ TrackerOptions AccuratePreset() {
   options.alignment.robust_gradient = 8.0 / 255;
   options.alignment.depth_residual = true;
   options.alignment.depth_patch_px = 6;
+  options.alignment.max_disagreement = 60;
+  options.alignment.registered_contrast = 1.4;
   options.alignment.covariance_factor = 2;
   options.alignment.min_update_norm = 2e-6;
   options.alignment.coarser_update_norm = 4;

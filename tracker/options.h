@@ -67,6 +67,9 @@ struct AlignmentOptions {
   // parameters, see ResidualAgreement: colours that are not registered to depths have nothing wrong
   // that their noise would tell. 0: they keep it, as they have to where depths alone would slip.
   double max_disagreement = 0;
+  // That is looked at for keyframes alone whose edge_contrast (see ImageContent) is below this, a
+  // sign that colours are not registered to depths. 0: for all.
+  double registered_contrast = 0;
   bool rotation_only = false;  // the translation stays as it is
   // By which the covariance is larger than the residuals tell: both images are sampled and their
   // depth is interpolated, which moves a pose without leaving residuals. Measured, not derived:
@@ -76,6 +79,8 @@ struct AlignmentOptions {
 
   int levels() const { return int(max_iterations.size()); }
   bool robust() const { return robust_scale > 0; }
+  // Whether max_disagreement is looked at with a keyframe of this edge_contrast, 0: not known.
+  bool DoubtsColours(double edge_contrast) const;
   PyramidOptions Pyramids() const;
   void Validate() const;
 };

@@ -22,8 +22,10 @@ using testing::HasSubstr;
 
 struct FakeReference : ReferencePyramid {
   explicit FakeReference(const std::vector<int>& measured) {
-    for (int pixels : measured) levels_.push_back({kIclNuimCamera, pixels});
+    for (int pixels : measured) all.push_back({kIclNuimCamera, pixels});
   }
+  const PyramidLevels& levels() const override { return all; }
+  PyramidLevels all;
 };
 
 class FakeBackend : public Backend {
@@ -46,7 +48,7 @@ class FakeBackend : public Backend {
   }
   std::unique_ptr<ReferencePyramid> WithoutHidden(const ImagePair& pair, int,
                                                   const SE3d&) const override {
-    return std::make_unique<ReferencePyramid>(pair.reference);
+    return std::make_unique<FakeReference>(dynamic_cast<const FakeReference&>(pair.reference));
   }
   PhotometricCost Cost(const ImagePair&, int level, const SE3d& pose) const override {
     return cost_(level, pose.translation.x);

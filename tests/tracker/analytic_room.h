@@ -63,28 +63,31 @@ struct Hit {
   float intensity;
 };
 
-// What the ray through (x, y) meets: the room in detail, its walls paler and the board darker.
-inline Hit BoardOrWall(const SE3d& room_from_camera, const PinholeCamera& camera, double x,
-                       double y) {
+using Pattern = float (*)(const Vec3d&);
+
+// What the ray through (x, y) meets: the room in its pattern, its walls paler and the board darker.
+inline Hit BoardOrWall(const SE3d& room_from_camera, const PinholeCamera& camera, Pattern paint,
+                       double x, double y) {
   const Vec3d direction = room_from_camera.rotation * camera.Unproject(x, y, 1.0);
   const double wall = DistanceToWall(room_from_camera.translation, direction);
   const double board = DistanceToBoard(room_from_camera.translation, direction);
   const double z = std::min(wall, board);
-  const float pattern = DetailedPattern(room_from_camera.translation + z * direction);
+  const float pattern = paint(room_from_camera.translation + z * direction);
   return {z, board < wall ? 0.4f * pattern : 0.3f + 0.7f * pattern};
 }
 
 // The intensity is the mean over the pixel's area, as the edges of the board need it.
 inline View RenderRoomWithBoard(const SE3d& room_from_camera,
-                                const PinholeCamera& camera = kSmallCamera) {
+                                const PinholeCamera& camera = kSmallCamera,
+                                Pattern paint = DetailedPattern) {
   View view{Image<float>(camera.width, camera.height), Image<float>(camera.width, camera.height)};
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
-      view.depth_m(x, y) = float(BoardOrWall(room_from_camera, camera, x, y).depth_m);
+      view.depth_m(x, y) = float(BoardOrWall(room_from_camera, camera, paint, x, y).depth_m);
       for (int i = 0; i < 16; ++i) {
         const double dx = (i % 4 - 1.5) / 4, dy = (i / 4 - 1.5) / 4;
         view.intensity(x, y) +=
-            BoardOrWall(room_from_camera, camera, x + dx, y + dy).intensity / 16;
+            BoardOrWall(room_from_camera, camera, paint, x + dx, y + dy).intensity / 16;
       }
     }
   }
@@ -92,7 +95,7 @@ inline View RenderRoomWithBoard(const SE3d& room_from_camera,
 }
 
 inline View RenderRoom(const SE3d& room_from_camera, const PinholeCamera& camera = kSmallCamera,
-                       float (*pattern)(const Vec3d&) = RoomPattern) {
+                       Pattern pattern = RoomPattern) {
   View view{Image<float>(camera.width, camera.height), Image<float>(camera.width, camera.height)};
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {

@@ -109,5 +109,18 @@ INSTANTIATE_TEST_SUITE_P(
                   "trust.max_unexplained_variance is -1"}),
     [](const auto& p) { return std::string(p.param.name); });
 
+// Of what cannot be told nothing is doubted.
+TEST(TrackerOptions, ColoursAreDoubtedWhereEdgesTellThatTheyAreNotRegistered) {
+  AlignmentOptions options = FastPreset().alignment;
+  EXPECT_TRUE(options.DoubtsColours(1));
+  EXPECT_FALSE(options.DoubtsColours(2));
+  EXPECT_FALSE(options.DoubtsColours(0));
+  options.registered_contrast = 0;
+  EXPECT_TRUE(options.DoubtsColours(2));
+  EXPECT_TRUE(options.DoubtsColours(0));
+  options.max_disagreement = 0;
+  EXPECT_FALSE(options.DoubtsColours(1));
+}
+
 }  // namespace
 }  // namespace silt::tracker

@@ -6,11 +6,13 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "analytic_room.h"
 #include "silt/core/random.h"
 #include "silt/tracker/alignment.h"
 #include "silt/tracker/cpu_backend.h"
+#include "silt/tracker/keyframe_tracker.h"
 
 namespace silt::tracker {
 namespace {
@@ -40,6 +42,7 @@ constexpr double kBound = 60;
 double Error(double colour_zoom, double max_disagreement) {
   AlignmentOptions options = AccuratePreset().alignment;
   options.max_disagreement = max_disagreement;
+  options.registered_contrast = 0;  // whatever the edges tell, of which this room has none
   const auto backend = MakeCpuBackend();
   double squares = 0;
   for (int seed = 0; seed < 6; ++seed) {
@@ -63,6 +66,66 @@ TEST(ResidualAgreement, ColoursOfAnotherFocalLengthLoseWeight) {
 }
 
 TEST(ResidualAgreement, RegisteredColoursKeepIt) { EXPECT_EQ(Error(1, kBound), Error(1, 0)); }
+
+constexpr PinholeCamera kBoardCamera{481.2, 480, 319.5, 239.5, 640, 480};
+
+// A board before the walls, as a tracker gets it: its edges tell whether colours are registered.
+Frame BoardFrame(const SE3d& room_from_camera, double colour_zoom, double time_s) {
+  PinholeCamera colour = kBoardCamera;
+  colour.fx *= colour_zoom;
+  colour.fy *= colour_zoom;
+  const View seen = RenderRoomWithBoard(room_from_camera, colour, RoomPattern);
+  Frame frame{time_s, Image<Rgb8>(kBoardCamera.width, kBoardCamera.height),
+              RenderRoomWithBoard(room_from_camera, kBoardCamera).depth_m};
+  for (std::size_t i = 0; i < seen.intensity.size(); ++i) {
+    const auto gray = std::uint8_t(std::lround(255 * seen.intensity.data()[i]));
+    frame.rgb.data()[i] = {gray, gray, gray};
+  }
+  return frame;
+}
+
+constexpr int kFrames = 3;
+
+SE3d TruthOf(int frame) {
+  return SE3d::Exp(
+      {{0.01 * frame, 0.02 * frame, 0.01 * frame}, {0.02 * frame, -0.01 * frame, 0.02 * frame}});
+}
+
+std::vector<Frame> BoardFrames(double colour_zoom) {
+  const SE3d first{Quaterniond::Exp({0.05, 0.1, 0}), {0, 0, -0.6}};
+  std::vector<Frame> frames;
+  for (int i = 0; i < kFrames; ++i) {
+    frames.push_back(BoardFrame(first * TruthOf(i), colour_zoom, 0.1 * i));
+  }
+  return frames;
+}
+
+// In metres, where every frame becomes a keyframe.
+double TrackedError(const std::vector<Frame>& frames, TrackerOptions options) {
+  options.keyframes.max_distance_m = 0.01;
+  KeyframeTracker tracker(kBoardCamera, options, MakeCpuBackend(), nullptr);
+  TrackedFrame last;
+  for (const Frame& frame : frames) {
+    last = tracker.Track(frame);
+    EXPECT_NE(last.status, TrackingStatus::kLost) << last.message;
+    EXPECT_TRUE(last.new_keyframe);
+  }
+  return Distance(last.world_from_camera, TruthOf(kFrames - 1));
+}
+
+TEST(ResidualAgreement, TrackersLookWhereColoursAreNotRegistered) {
+  const std::vector<Frame> registered = BoardFrames(1), not_registered = BoardFrames(0.9);
+  for (const TrackerOptions& preset : {FastPreset(), AccuratePreset()}) {
+    TrackerOptions never = preset;
+    never.alignment.max_disagreement = 0;
+    EXPECT_LT(TrackedError(not_registered, preset), 0.5 * TrackedError(not_registered, never));
+    EXPECT_EQ(TrackedError(registered, preset), TrackedError(registered, never));
+    // Nor are keyframes polished, which would let intensities count in full.
+    TrackerOptions unpolished = preset;
+    unpolished.keyframes.polish_iterations = 0;
+    EXPECT_EQ(TrackedError(not_registered, preset), TrackedError(not_registered, unpolished));
+  }
+}
 
 // Two kinds with H = 1000·I whose gradients alone lead to `apart` of the first parameter, and whose
 // stripes scatter by `kappa` thousandths: 1e-3 is what noise alone leaves.

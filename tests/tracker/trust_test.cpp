@@ -124,17 +124,6 @@ TEST(Trust, EvidenceTellsHowManyPixelsAgree) {
   EXPECT_EQ(good.depth_disagreement, 0);
 }
 
-TEST(Trust, ContentIsThatOfWhatIsMeasured) {
-  Image<float> intensity(2, 1), depth_m(2, 1);
-  intensity(0, 0) = 0.2f;
-  intensity(1, 0) = 0.6f;
-  depth_m(1, 0) = 4;
-  const ImageContent content = ContentOf(intensity, depth_m);
-  EXPECT_EQ(content.measured_share, 0.5);
-  EXPECT_NEAR(content.variance, 0.04, 1e-7);
-  EXPECT_NEAR(content.mean_inverse_depth, 0.25, 1e-7);
-}
-
 // White noise, or the same smeared over neighbours, which then err together.
 Image<float> Noisy(Image<float> image, double sigma, bool smeared, std::uint64_t seed) {
   const CounterRandom random(seed);

@@ -81,10 +81,11 @@ bool KeyframeGraph::Connect(const Keyframe& from, const Keyframe& to) {
       GrayFromRgb(to.frame.rgb), options.use_current_depth ? to.frame.depth_m : Image<float>{},
       options.Pyramids());
   const SE3d start = poses_[to.id].Inverse() * poses_[from.id];
-  const AlignmentResult result = Align(*backend_, {*reference, *current}, start, options);
+  const ImageContent content = ContentOf(intensity, from.frame.depth_m);
+  const ReferenceViews views{{*reference, {}, content.edge_contrast}};
+  const AlignmentResult result = Align(*backend_, views, *current, start, options);
   if (!result.ok) return false;
-  const PoseEvidence evidence = EvidenceOf(*backend_, {{*reference, {}}}, *current, result,
-                                           ContentOf(intensity, from.frame.depth_m));
+  const PoseEvidence evidence = EvidenceOf(*backend_, views, *current, result, content);
   if (Judge(evidence, options_.trust).status != TrackingStatus::kTracked) return false;
   edges_.push_back({from.id, to.id, result.current_from_reference, result.covariance});
   return true;
