@@ -70,6 +70,38 @@ class GpuMachine {
     return host;
   }
 
+  // What comes back while the host goes on; whoever takes it waits.
+  template <typename T>
+  class Coming {
+   public:
+    Coming(std::shared_ptr<Stream> stream, const Array<T>& from)
+        : stream_(std::move(stream)), size_(from.size()) {
+      copy_ = stream_->StartCopyToHost(from.data(), size_ * sizeof(T));
+    }
+    ~Coming() {
+      if (copy_) stream_->TakeBack(std::move(copy_));
+    }
+    Coming(Coming&&) = default;
+    Coming& operator=(Coming&&) = delete;
+
+    std::vector<T> Take() {
+      const T* const values = static_cast<const T*>(copy_->Take(size_ * sizeof(T)));
+      std::vector<T> taken(values, values + size_);
+      stream_->TakeBack(std::move(copy_));
+      return taken;
+    }
+
+   private:
+    std::shared_ptr<Stream> stream_;
+    std::size_t size_;
+    std::unique_ptr<PinnedBuffer> copy_;
+  };
+
+  template <typename T>
+  Coming<T> StartDownload(const Array<T>& from) const {
+    return Coming<T>(stream_, from);
+  }
+
   template <typename Body>
   void Run(const Grid& grid, const Body& body) const {
     RunBody<<<grid.blocks, grid.threads, 0, stream_->handle()>>>(body);
@@ -95,6 +127,8 @@ class GpuMachine {
   static constexpr int kStartsOfGroup = 16;
 
   using Timer = EventTimer;
+  void Start(Timer* timer) const { timer->Start(stream_->handle()); }
+  void Stop(Timer* timer) const { timer->Stop(stream_->handle()); }
 
   // Does not wait for the end; whoever asks the timer does.
   template <typename Body>
@@ -105,11 +139,11 @@ class GpuMachine {
           "clearing barriers");
     GroupBarrier<unsigned>* barrier = barriers.data();
     void* arguments[] = {const_cast<Body*>(&body), &blocks, &barrier};
-    timer->Start(stream_->handle());
+    Start(timer);
     Check(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(RunGroupsOf<Body>),
                                       groups * blocks, kThreads, arguments, 0, stream_->handle()),
           "starting a kernel of groups");
-    timer->Stop(stream_->handle());
+    Stop(timer);
   }
 
  private:

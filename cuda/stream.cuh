@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "silt/cuda/check.cuh"
 #include "silt/cuda/device_needs.h"
@@ -110,6 +112,26 @@ class Stream {
     std::memcpy(to, pinned, bytes);
   }
 
+  // Into a buffer that has them once it can be taken again.
+  std::unique_ptr<PinnedBuffer> StartCopyToHost(const void* from, std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    std::unique_ptr<PinnedBuffer> buffer;
+    if (spare_.empty()) {
+      buffer = std::make_unique<PinnedBuffer>();
+    } else {
+      buffer = std::move(spare_.back());
+      spare_.pop_back();
+    }
+    Check(cudaMemcpyAsync(buffer->Take(bytes), from, bytes, cudaMemcpyDeviceToHost, handle()),
+          "copying from the device");
+    buffer->UsedBy(handle());
+    return buffer;
+  }
+  void TakeBack(std::unique_ptr<PinnedBuffer> buffer) {
+    const std::lock_guard lock(mutex_);
+    spare_.push_back(std::move(buffer));
+  }
+
  private:
   // What is freed stays with the process: the next frame needs the same.
   static void KeepPool() {
@@ -126,6 +148,7 @@ class Stream {
   std::array<PinnedBuffer, 4> buffers_;  // colours and depth of one frame and of the next
   std::size_t next_ = 0;
   PinnedBuffer results_;
+  std::vector<std::unique_ptr<PinnedBuffer>> spare_;
   StreamHandle handle_;  // is ended first: its copies use the buffers
 };
 

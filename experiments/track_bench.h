@@ -30,6 +30,7 @@ struct PairRun {
   double t_mm = 0, r_deg = 0;  // error of the motion; of the identity where none was found
   // silt's own methods only: the stages of the current frame, and what the reference took before.
   tracker::StageTimes stages;
+  double device_ms = 0;  // of the current frame, by the clock of a device that has one
   double keyframe_ms = 0;
   double pixel_iterations = 0;  // pixels × iterations over all levels
 };
@@ -40,7 +41,8 @@ struct MethodRuns {
   std::vector<PairRun> one_thread, threads;  // in the order of the pairs
 };
 
-// One full-size call of the fused pass, warp to normal equations, on one thread, in milliseconds.
+// One full-size call of the fused pass, warp to normal equations, on one thread, in milliseconds;
+// by the clock of a device that has one.
 struct FusedPass {
   double photometric_ms = 0;   // eqs. 12–17
   double robust_ms = 0;        // with the robust norm
@@ -68,8 +70,8 @@ struct TrackBench {
 };
 
 // The presets, and OpenCV's methods if they are there, after each has run once to warm up. Each
-// repeat runs every method on every pair once, so that all are slowed alike by what else the
-// machine does.
+// repeat runs every method on every pair once, another one first, so that all are slowed alike by
+// what else the machine does.
 TrackBench MeasureTracking(std::vector<BenchPair> pairs, const TrackBenchOptions& options);
 
 }  // namespace silt::experiments

@@ -93,16 +93,22 @@ Json StagesJson(const Medians& runs) {
     const StageTimes& s = r.stages;
     return 1000 * r.pixel_iterations / (s.residual_ms + s.jacobian_ms + s.update_ms);
   };
-  return {{"load", runs.Load()},
-          {"pyramid", stage(&StageTimes::pyramid_ms)},
-          {"initialization", stage(&StageTimes::initial_estimate_ms)},
-          {"warp_residual", stage(&StageTimes::residual_ms)},
-          {"jacobian", stage(&StageTimes::jacobian_ms)},
-          {"solve", stage(&StageTimes::update_ms)},
-          {"keyframe", runs.Of([](const PairRun& r) { return r.keyframe_ms; })},
-          {"total", total_ms},
-          {"frames_per_s", 1000 / total_ms},
-          {"pixel_iterations_per_s", runs.Of(rate)}};
+  const double device_ms = runs.Of([](const PairRun& r) { return r.device_ms; });
+  Json json{{"load", runs.Load()},
+            {"pyramid", stage(&StageTimes::pyramid_ms)},
+            {"initialization", stage(&StageTimes::initial_estimate_ms)},
+            {"warp_residual", stage(&StageTimes::residual_ms)},
+            {"jacobian", stage(&StageTimes::jacobian_ms)},
+            {"solve", stage(&StageTimes::update_ms)},
+            {"keyframe", runs.Of([](const PairRun& r) { return r.keyframe_ms; })},
+            {"total", total_ms},
+            {"frames_per_s", 1000 / total_ms},
+            {"pixel_iterations_per_s", runs.Of(rate)}};
+  if (device_ms > 0) {
+    json["device_total"] = device_ms;
+    json["device_frames_per_s"] = 1000 / device_ms;
+  }
+  return json;
 }
 
 std::set<int> Gaps(const TrackBench& bench) {

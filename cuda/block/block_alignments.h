@@ -108,7 +108,7 @@ class BlockAlignments {
                  current.intensity[l].height == pyramid.depth_m[l].height);
       reference.intensity[l] = pyramid.intensity[l].data();
       reference.depth_m[l] = pyramid.depth_m[l].data();
-      reference.cameras[l] = pyramid.levels()[l].camera;
+      reference.cameras[l] = pyramid.camera(int(l));
     }
     return reference;
   }

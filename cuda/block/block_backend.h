@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +21,9 @@ namespace silt::cuda {
 
 // The tracker's backend whose kernels run in blocks of threads, on any machine that offers
 //   Array<T>(machine, size) with data() and size(),  Upload(values, array),  Download(array),
-//   Run(grid, body),  and for whole alignments (BlockAlignments)
-//   ResidentBlocks<Body>(),  kStartsOfGroup,  Timer,  RunGroups(groups, blocks, body, &timer):
+//   StartDownload(array), a Coming<T> whose Take() waits for it,  Run(grid, body),  and for whole
+//   alignments (BlockAlignments) ResidentBlocks<Body>(),  kStartsOfGroup,  Timer, RunGroups(groups,
+//   blocks, body, &timer):
 // a GPU, or a CPU that stands in for one. Sums have the same bits on both but for how they divide
 // and take roots; the order of addition depends on the size of the image alone.
 template <typename Machine>
@@ -59,7 +62,8 @@ class BlockBackend : public tracker::Backend {
     const Pyramid depths_m = Depths(depth_m, options);
     return std::make_unique<Reference>(
         imaging_, Intensities(imaging_.Upload(intensity), options), depths_m,
-        imaging_.WithoutEdges(depths_m, options.depth_edge_margin_px), camera);
+        imaging_.WithoutEdges(depths_m, options.depth_edge_margin_px), camera,
+        options.depth_edge_margin_px);
   }
 
   std::unique_ptr<tracker::CurrentPyramid> MakeCurrent(
@@ -80,18 +84,21 @@ class BlockBackend : public tracker::Backend {
                                      Depths(depth_m, options), options);
   }
 
-  // What the current image has stays where it is.
+  // What the current image has stays where it is. Smaller pictures that keyframes have been asked
+  // for, this one will be too: they are counted by then.
   std::unique_ptr<tracker::ReferencePyramid> MakeReferenceOfCurrent(
       const tracker::CurrentPyramid& image, const Image<float>& depth_m,
       const PinholeCamera& camera, const tracker::PyramidOptions& options) const override {
     SILT_CHECK(depth_m.width() == camera.width && depth_m.height() == camera.height);
     const auto& current = dynamic_cast<const Current&>(image);
     const Pyramid whole_m = current.has_depth() ? current.depth_m : Depths(depth_m, options);
-    return std::make_unique<Reference>(
+    auto reference = std::make_unique<Reference>(
         imaging_, current.whole_intensity, whole_m,
         current.has_depth() ? current.kept_m
                             : imaging_.WithoutEdges(whole_m, options.depth_edge_margin_px),
-        camera);
+        camera, options.depth_edge_margin_px);
+    for (const typename Reference::SmallKey& key : small_keys_.All()) SmallOf(*reference, key);
+    return reference;
   }
 
   bool halves_what_it_holds() const override { return true; }
@@ -100,25 +107,17 @@ class BlockBackend : public tracker::Backend {
                                 const tracker::PyramidOptions& options) const override {
     const auto& reference = dynamic_cast<const Reference&>(pair.reference);
     const auto& current = dynamic_cast<const Current&>(pair.current);
-    PinholeCamera camera = reference.levels()[0].camera;
-    for (int i = 0; i < halvings; ++i) camera = camera.Halved();
-    const auto intensities = [&](const Pyramid& whole) {
-      return imaging_.template HalvingsFrom<HalveIntensity>(whole, halvings, options.levels);
-    };
-    const auto depths = [&](const Pyramid& whole_m) {
-      return imaging_.template HalvingsFrom<HalveDepth>(whole_m, halvings, options.levels);
-    };
-    const auto halved = [&] {
-      const Pyramid depths_m = depths(reference.whole_depth_m);
-      return std::make_unique<const Reference>(
-          imaging_, intensities(reference.intensity), depths_m,
-          imaging_.WithoutEdges(depths_m, options.depth_edge_margin_px), camera);
-    };
     const typename Reference::SmallKey key{halvings, options.levels, options.depth_edge_margin_px};
-    return {halvings > 0 ? reference.Small(key, halved) : halved(),
-            std::make_unique<Current>(
-                imaging_, intensities(current.whole_intensity),
-                with_depth && current.has_depth() ? depths(current.depth_m) : Pyramid{}, options)};
+    small_keys_.Add(key);
+    return {SmallOf(reference, key),
+            std::make_unique<Current>(imaging_,
+                                      imaging_.template HalvingsFrom<HalveIntensity>(
+                                          current.whole_intensity, halvings, options.levels),
+                                      with_depth && current.has_depth()
+                                          ? imaging_.template HalvingsFrom<HalveDepth>(
+                                                current.depth_m, halvings, options.levels)
+                                          : Pyramid{},
+                                      options)};
   }
 
   std::unique_ptr<tracker::ReferencePyramid> WithoutHidden(
@@ -126,8 +125,7 @@ class BlockBackend : public tracker::Backend {
       const SE3d& current_from_reference) const override {
     const auto& full = dynamic_cast<const Reference&>(pair.reference);
     if (!pair.current.has_depth()) {
-      Picture visible =
-          HiddenByItself(full.depth_m[0], full.levels()[0].camera, current_from_reference);
+      Picture visible = HiddenByItself(full.depth_m[0], full.camera(0), current_from_reference);
       return std::make_unique<Reference>(
           full, imaging_.template Halvings<HalveDepth>(std::move(visible), level + 1));
     }
@@ -135,7 +133,7 @@ class BlockBackend : public tracker::Backend {
     CheckLevel(full, current, level);
     Pyramid depths_m = full.depth_m;
     depths_m[level] = HiddenByCurrent(full.depth_m[level], current.depth_m[level],
-                                      WarpOf(full.levels()[level].camera, current_from_reference));
+                                      WarpOf(full.camera(level), current_from_reference));
     return std::make_unique<Reference>(full, std::move(depths_m));
   }
 
@@ -169,6 +167,10 @@ class BlockBackend : public tracker::Backend {
   }
   bool runs_alignments() const override { return true; }
 
+  std::unique_ptr<tracker::DeviceClock> StartClock() const override {
+    return std::make_unique<Clock>(machine_);
+  }
+
  private:
   using Alignments = BlockAlignments<Machine>;
   using Reference = BlockReference<Machine>;
@@ -184,6 +186,26 @@ class BlockBackend : public tracker::Backend {
   Pyramid Depths(const Image<float>& depth_m, const tracker::PyramidOptions& options) const {
     if (depth_m.empty()) return {};
     return imaging_.template Halvings<HalveDepth>(imaging_.Upload(depth_m), options.levels);
+  }
+
+  // Of the keyframe as it is, where that has such levels itself.
+  std::unique_ptr<const Reference> SmallOf(const Reference& reference,
+                                           const typename Reference::SmallKey& key) const {
+    const auto [halvings, levels, edge_margin_px] = key;
+    if (halvings == 0 && levels <= int(reference.depth_m.size()) &&
+        edge_margin_px == reference.edge_margin_px) {
+      return std::make_unique<const Reference>(reference, std::size_t(levels));
+    }
+    return reference.Small(key, [&] {
+      PinholeCamera camera = reference.camera(0);
+      for (int i = 0; i < halvings; ++i) camera = camera.Halved();
+      const Pyramid depths_m =
+          imaging_.template HalvingsFrom<HalveDepth>(reference.whole_depth_m, halvings, levels);
+      return std::make_unique<const Reference>(
+          imaging_,
+          imaging_.template HalvingsFrom<HalveIntensity>(reference.intensity, halvings, levels),
+          depths_m, imaging_.WithoutEdges(depths_m, edge_margin_px), camera, edge_margin_px);
+    });
   }
 
   static kernel::Warp<float> WarpOf(const PinholeCamera& camera, const SE3d& pose) {
@@ -242,7 +264,7 @@ class BlockBackend : public tracker::Backend {
                    tracker::FloatNorm<kernel::RobustNorm<float>>(norm.inverse_depth)};
     typename Machine::template Array<ImageSums> images(machine_, poses.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      pass.warp = WarpOf(reference.levels()[level].camera, poses[i]);
+      pass.warp = WarpOf(reference.camera(level), poses[i]);
       StartReduction(kind, pass, TilingOf(width, height), images.data() + i);
     }
     return machine_.Download(images);
@@ -256,9 +278,41 @@ class BlockBackend : public tracker::Backend {
     machine_.Run({1, kThreads}, AddUnits{tiling, unit_sums.data(), tile_sums.data(), image});
   }
 
+  class Clock : public tracker::DeviceClock {
+   public:
+    explicit Clock(const Machine& machine) : machine_(machine) { machine_.Start(&timer_); }
+    double Milliseconds() override {
+      machine_.Stop(&timer_);
+      return timer_.Milliseconds();
+    }
+
+   private:
+    const Machine machine_;
+    typename Machine::Timer timer_;
+  };
+
+  // What was asked for since the backend is there.
+  class SmallKeys {
+   public:
+    using Key = typename Reference::SmallKey;
+    void Add(const Key& key) {
+      const std::lock_guard lock(mutex_);
+      keys_.insert(key);
+    }
+    std::set<Key> All() const {
+      const std::lock_guard lock(mutex_);
+      return keys_;
+    }
+
+   private:
+    mutable std::mutex mutex_;
+    std::set<Key> keys_;
+  };
+
   std::string name_;
   Machine machine_;
   BlockImaging<Machine> imaging_;
+  mutable SmallKeys small_keys_;
 };
 
 }  // namespace silt::cuda

@@ -31,6 +31,32 @@ struct BlockImage {
   float* data() const { return pixels->data(); }
 };
 
+// How many depths of each level are measured. They are counted where the depths lie, while the host
+// goes on; whoever looks first waits.
+template <typename Machine>
+class MeasuredCounts {
+ public:
+  using Coming = typename Machine::template Coming<int>;
+
+  MeasuredCounts(const DepthLevels& levels, Coming of_blocks)
+      : levels_(levels), of_blocks_(std::move(of_blocks)) {}
+
+  int Of(std::size_t level) const {
+    std::call_once(summed_, [this] {
+      const std::vector<int> of_blocks = of_blocks_.Take();
+      for (int i = 0; i < int(of_blocks.size()); ++i)
+        counts_[std::size_t(levels_.LevelOf(i))] += of_blocks[i];
+    });
+    return counts_[level];
+  }
+
+ private:
+  const DepthLevels levels_;
+  mutable std::once_flag summed_;
+  mutable Coming of_blocks_;
+  mutable std::array<int, tracker::kMaxPyramidLevels> counts_{};
+};
+
 // Makes images of images on a machine, as the CPU backend does.
 template <typename Machine>
 class BlockImaging {
@@ -99,8 +125,8 @@ class BlockImaging {
     return inverse;
   }
 
-  // How many depths of each level are measured: one answer is waited for.
-  std::vector<int> Measured(const Pyramid& depths_m) const {
+  // How many depths of each level are measured.
+  std::shared_ptr<const MeasuredCounts<Machine>> Measured(const Pyramid& depths_m) const {
     SILT_CHECK(!depths_m.empty() && depths_m.size() <= std::size_t(tracker::kMaxPyramidLevels));
     DepthLevels levels{};
     for (const Picture& depth_m : depths_m) {
@@ -113,10 +139,7 @@ class BlockImaging {
     const int blocks = levels.first_block[levels.count];
     typename Machine::template Array<int> counts(machine_, std::size_t(blocks));
     machine_.Run(Grid{blocks, kThreads}, CountMeasured{levels, counts.data()});
-    std::vector<int> measured(depths_m.size(), 0);
-    const std::vector<int> of_blocks = machine_.Download(counts);
-    for (int i = 0; i < blocks; ++i) measured[std::size_t(levels.LevelOf(i))] += of_blocks[i];
-    return measured;
+    return std::make_shared<const MeasuredCounts<Machine>>(levels, machine_.StartDownload(counts));
   }
 
   template <typename Function>
@@ -170,28 +193,51 @@ class BlockReference : public tracker::ReferencePyramid {
  public:
   using Pyramid = typename BlockImaging<Machine>::Pyramid;
 
-  // All depths, and those without their edges.
+  // All depths, and those that are `margin_px` away from their edges.
   BlockReference(const BlockImaging<Machine>& imaging, Pyramid intensities, Pyramid whole_depths_m,
-                 Pyramid depths_m, PinholeCamera camera)
+                 Pyramid depths_m, PinholeCamera camera, int margin_px)
       : intensity(std::move(intensities)),
         whole_depth_m(std::move(whole_depths_m)),
-        depth_m(std::move(depths_m)) {
-    for (const int measured : imaging.Measured(depth_m)) {
-      levels_.push_back({camera, measured});
+        depth_m(std::move(depths_m)),
+        edge_margin_px(margin_px),
+        measured_(imaging.Measured(depth_m)) {
+    while (levels_.size() < depth_m.size()) {
+      levels_.push_back({camera, 0});
       camera = camera.Halved();
     }
   }
 
-  // `other` with depths of its own.
+  // `other` with depths of its own, of as many levels.
   BlockReference(const BlockReference& other, Pyramid depths_m)
       : intensity(other.intensity),
         whole_depth_m(other.whole_depth_m),
-        depth_m(std::move(depths_m)) {
-    levels_ = other.levels_;
-  }
+        depth_m(std::move(depths_m)),
+        edge_margin_px(other.edge_margin_px),
+        measured_(other.measured_),
+        levels_(other.Uncounted(other.levels_.size())) {}
 
-  // Smaller pictures of this one, which every frame asks for: how many depths they have is waited
-  // for once. `make` makes them; the key is all that they depend on.
+  // The finest levels of `other`.
+  BlockReference(const BlockReference& other, std::size_t levels)
+      : intensity(other.intensity.begin(), other.intensity.begin() + levels),
+        whole_depth_m(other.whole_depth_m.begin(), other.whole_depth_m.begin() + levels),
+        depth_m(other.depth_m.begin(), other.depth_m.begin() + levels),
+        edge_margin_px(other.edge_margin_px),
+        measured_(other.measured_),
+        levels_(other.Uncounted(levels)) {}
+
+  const tracker::PyramidLevels& levels() const override {
+    std::call_once(counted_, [this] {
+      for (std::size_t i = 0; i < levels_.size(); ++i) {
+        levels_[i].measured_pixels = measured_->Of(i);
+      }
+    });
+    return levels_;
+  }
+  // Without a wait.
+  const PinholeCamera& camera(int level) const { return levels_[std::size_t(level)].camera; }
+
+  // Smaller pictures of this one, which every frame asks for. `make` makes them; the key is all
+  // that they depend on.
   using SmallKey = std::array<int, 3>;
   template <typename Make>
   std::unique_ptr<const BlockReference> Small(const SmallKey& key, const Make& make) const {
@@ -202,8 +248,19 @@ class BlockReference : public tracker::ReferencePyramid {
   }
 
   const Pyramid intensity, whole_depth_m, depth_m;
+  const int edge_margin_px;
 
  private:
+  // Leaves alone what another thread may be writing.
+  tracker::PyramidLevels Uncounted(std::size_t levels) const {
+    tracker::PyramidLevels uncounted;
+    for (std::size_t i = 0; i < levels; ++i) uncounted.push_back({levels_[i].camera, 0});
+    return uncounted;
+  }
+
+  const std::shared_ptr<const MeasuredCounts<Machine>> measured_;
+  mutable std::once_flag counted_;
+  mutable tracker::PyramidLevels levels_;
   mutable std::mutex mutex_;
   mutable std::map<SmallKey, std::unique_ptr<const BlockReference>> small_;
 };

@@ -20,6 +20,7 @@ enum class ThreadOrder { kForward, kBackward };
 // What a machine was asked to do.
 struct MachineUse {
   int uploads = 0, downloads = 0;  // a download is waited for
+  int started_downloads = 0, taken_downloads = 0;
   std::size_t uploaded_bytes = 0, downloaded_bytes = 0;
   int group_launches = 0;
   std::size_t held_bytes = 0, most_held_bytes = 0;  // of arrays
@@ -74,6 +75,31 @@ class HostMachine {
     return std::vector<T>(from.data(), from.data() + from.size());
   }
 
+  // What comes back while the host goes on; whoever takes it waits.
+  template <typename T>
+  class Coming {
+   public:
+    Coming(std::vector<T> values, std::shared_ptr<MachineUse> use)
+        : values_(std::move(values)), use_(std::move(use)) {}
+    std::vector<T> Take() {
+      if (use_) ++use_->taken_downloads;
+      return std::move(values_);
+    }
+
+   private:
+    std::vector<T> values_;
+    std::shared_ptr<MachineUse> use_;
+  };
+
+  template <typename T>
+  Coming<T> StartDownload(const Array<T>& from) const {
+    if (use_) {
+      ++use_->started_downloads;
+      use_->downloaded_bytes += from.size() * sizeof(T);
+    }
+    return {std::vector<T>(from.data(), from.data() + from.size()), use_};
+  }
+
   template <typename Body>
   void Run(const Grid& grid, const Body& body) const {
     const auto shared = UnwrittenShared<Body>();
@@ -97,6 +123,8 @@ class HostMachine {
   struct Timer {
     double Milliseconds() const { return 0; }
   };
+  void Start(Timer*) const {}
+  void Stop(Timer*) const {}
 
   // Few, so that small batches take several launches.
   static constexpr int kStartsOfGroup = 2;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "silt/core/error.h"
 #include "silt/cuda/device_array.cuh"
@@ -33,6 +36,31 @@ TEST(DeviceMemory, WhatTheDeviceDoesNotHaveIsOneClearLine) {
   void* const memory = stream.Allocate(1 << 20);
   EXPECT_NE(memory, nullptr);
   stream.Free(memory);
+}
+
+// Each has a buffer of its own until it is taken, in whatever order, and gives it back.
+TEST(DeviceMemory, StartedCopiesComeBackWhenTheyAreTaken) {
+  if (!WhyNoUsableDevice().empty()) GTEST_SKIP() << "no CUDA device";
+  Stream stream;
+  const void* last = nullptr;
+  for (int round = 0; round < 2; ++round) {
+    std::vector<std::unique_ptr<PinnedBuffer>> coming;
+    for (int i = 0; i < 5; ++i) {
+      const std::vector<int> values(100, 7 * i + round);
+      void* const memory = stream.Allocate(400);
+      stream.CopyToDevice(memory, values.data(), 400);
+      coming.push_back(stream.StartCopyToHost(memory, 400));
+      stream.Free(memory);
+    }
+    for (int i = 4; i >= 0; --i) {
+      auto& buffer = coming[std::size_t(i)];
+      const int* const taken = static_cast<const int*>(buffer->Take(400));
+      EXPECT_EQ(std::vector<int>(taken, taken + 100), std::vector<int>(100, 7 * i + round));
+      EXPECT_TRUE(round == 0 || i > 0 || taken == last);
+      if (i == 0) last = taken;
+      stream.TakeBack(std::move(buffer));
+    }
+  }
 }
 
 TEST(DeviceMemory, AStreamWithoutADeviceIsAnError) {

@@ -54,6 +54,11 @@ TEST(TrackBench, ReportsMediansOfAllPairsAndOfEachGap) {
   EXPECT_EQ(stages["total"], 3);
   EXPECT_DOUBLE_EQ(stages["frames_per_s"], 1000.0 / 3);
   EXPECT_DOUBLE_EQ(stages["pixel_iterations_per_s"], 5e8);
+  EXPECT_FALSE(stages.contains("device_total"));
+  for (PairRun& run : bench.methods[0].threads) run.device_ms = 0.25;
+  const Json timed = bench.ToJson()["stages_ms"]["fast"]["threads"];
+  EXPECT_EQ(timed["device_total"], 0.25);
+  EXPECT_EQ(timed["device_frames_per_s"], 4000);
   EXPECT_EQ(json["fused_pass_ms"], 0.7);
   EXPECT_THAT(bench.Format(), HasSubstr("fast"));
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -276,6 +277,24 @@ TEST_P(BlockBackendOn, ColoursAndKeyframesOfThemAreTheCpus) {
                 block_->Linearize({*made_anew, *of_gray}, level, pose, Robust(with_depth)));
     }
   }
+}
+
+// Of a GPU, no more than what has passed on the host; emulated, there is none.
+TEST_P(BlockBackendOn, AClockTellsWhatTheDeviceTook) {
+  const Pair pair = MakePair(*block_, {kLevels, 2, true});
+  const auto begin = std::chrono::steady_clock::now();
+  const auto clock = block_->StartClock();
+  ASSERT_TRUE(clock);
+  (void)block_->Linearize(pair.images(), 0, kPose, Robust(true));
+  const double milliseconds = clock->Milliseconds();
+  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(milliseconds, passed.count());
+  if (GetParam() == Machine::kGpu) {
+    EXPECT_GT(milliseconds, 0);
+  } else {
+    EXPECT_EQ(milliseconds, 0);
+  }
+  EXPECT_FALSE(cpu_->StartClock());
 }
 
 TEST_P(BlockBackendOn, AnImageWithoutFourPixelsInASquareHasNoResiduals) {

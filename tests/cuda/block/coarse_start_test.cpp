@@ -90,12 +90,14 @@ INSTANTIATE_BACKENDS(CoarseStartOn);
 TEST_P(CoarseStartOn, SmallPicturesAreThoseOfTheHost) {
   const Pair held = Held();
   for (const int halvings : {0, 1, 2, 4}) {
-    for (const bool with_depth : {true, false}) {
-      const tracker::PyramidOptions options{2, halvings == 0 ? 1 : 0, with_depth};
+    for (const int margin_px : {0, 1, 2}) {
+      const bool with_depth = margin_px != 1 || halvings == 0;
+      const tracker::PyramidOptions options{2, margin_px, with_depth};
       ASSERT_TRUE(block_->halves_what_it_holds());
       const OwnedPair halved = block_->MakeHalved(held.images(), halvings, with_depth, options);
       const OwnedPair wanted = HalvedOnHost(halvings, with_depth, options);
       EXPECT_EQ(halved.current->has_depth(), with_depth);
+      ASSERT_EQ(halved.reference->levels().size(), 2u);
       for (int level = 0; level < options.levels; ++level) {
         const tracker::PyramidLevel &a = halved.reference->levels()[level],
                                     &b = wanted.reference->levels()[level];
