@@ -12,7 +12,9 @@
 #include "silt/core/formatted.h"
 #include "silt/core/frame.h"
 #include "silt/core/io/image_file.h"
+#include "silt/experiments/colour_registration.h"
 #include "silt/experiments/tracker_options.h"
+#include "silt/tracker/image_content.h"
 
 namespace silt::experiments {
 namespace {
@@ -164,6 +166,8 @@ AlignedPair AlignFiles(const PairFiles& files, const AlignSetup& setup) {
   }
   pair.residual = std::sqrt(alignment.final_cost().mean_square());
   pair.inverse_depth_residual = alignment.inverse_depth_scale;
+  pair.edge_contrast = tracker::ContentOf(reference.rgb, reference.depth_m).edge_contrast;
+  pair.doubt_of_colours = DoubtOfColours(setup.tracker.preset, pair.edge_contrast);
   for (const tracker::AlignmentLevel& level : alignment.levels) pair.iterations += level.iterations;
   pair.milliseconds = first.times.total_ms + tracked.times.total_ms;
   return pair;
@@ -177,8 +181,10 @@ Json ToJson(const AlignedPair& pair) {
             {"covariance", nullptr},
             {"residual", pair.residual},
             {"inverse_depth_residual", pair.inverse_depth_residual},
+            {"edge_contrast", nullptr},
             {"iterations", pair.iterations},
             {"ms", pair.milliseconds}};
+  if (pair.edge_contrast > 0) json["edge_contrast"] = pair.edge_contrast;
   if (!pair.current_from_reference) return json;
   json["current_from_reference"] = Matrix(*pair.current_from_reference);
   json["tum"] = TumLine(pair.time_s, *pair.current_from_reference);
@@ -190,7 +196,8 @@ std::string Format(const AlignedPair& pair) {
   return (pair.current_from_reference ? FormatPose(pair) : "") +
          (pair.message.empty() ? tracker::Name(pair.status) : pair.message) +
          Formatted(", residual %.5f, %d iterations, %.1f ms\n", pair.residual, pair.iterations,
-                   pair.milliseconds);
+                   pair.milliseconds) +
+         (pair.doubt_of_colours.empty() ? "" : pair.doubt_of_colours + "\n");
 }
 
 }  // namespace silt::experiments

@@ -38,6 +38,8 @@ struct AlignedPair {
   std::array<double, 36> covariance{};         // of ξ = (ω, v), left, row by row; of a pose alone
   double residual = 0;                         // root mean square of the intensity's, in [0, 1]
   double inverse_depth_residual = 0;           // scale of those, 1/m; 0 where not compared
+  double edge_contrast = 0;                    // of the reference, see tracker::ImageContent
+  std::string doubt_of_colours;                // one line where that makes colours doubtful
   int iterations = 0;
   double milliseconds = 0;  // from images in memory to the pose, both pyramids included
 };

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "silt/core/error.h"
+#include "silt/experiments/colour_registration.h"
 #include "silt/experiments/tracker_options.h"
+#include "silt/tracker/image_content.h"
 
 namespace silt::experiments {
 namespace {
@@ -62,6 +64,7 @@ TrackingRun::TrackingRun(const PinholeCamera& camera, const TrackerSetup& setup,
                          const SE3d& first_world_from_camera, GraphUse use)
     : choice_(ParseInitializer(setup.initializer)),
       seed_(setup.seed),
+      preset_(setup.preset),
       tracker_(MakeTracker(camera, setup, first_world_from_camera)) {
   if (use == GraphUse::kNone) return;
   const tracker::KeyframeGraphOptions options = GraphOptions(PresetOptions(setup.preset));
@@ -96,8 +99,19 @@ tracker::TrackedFrame TrackingRun::Track(const Frame& frame,
     result_.messages.push_back("frame " + std::to_string(result_.estimate.size() - 1) + ": " +
                                tracked.message);
   }
+  if (tracked.new_keyframe) TellDoubtOfColours(frame);
   for (const Stage stage : kStages) sums_.*stage += tracked.times.*stage;
   return tracked;
+}
+
+// Once: the camera stays the same.
+void TrackingRun::TellDoubtOfColours(const Frame& keyframe) {
+  if (told_doubt_of_colours_) return;
+  const double contrast = tracker::ContentOf(keyframe.rgb, keyframe.depth_m).edge_contrast;
+  const std::string doubt = DoubtOfColours(preset_, contrast);
+  if (doubt.empty()) return;
+  told_doubt_of_colours_ = true;
+  result_.messages.push_back("frame " + std::to_string(result_.estimate.size() - 1) + ": " + doubt);
 }
 
 TrackingResult TrackingRun::Result() const {

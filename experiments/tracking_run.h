@@ -56,10 +56,13 @@ class TrackingRun {
   Json GraphJson() const;  // its edges, loops and cost; null without one
 
  private:
+  void TellDoubtOfColours(const Frame& keyframe);
   std::optional<SE3d> Expected(const std::optional<SE3d>& true_world_from_camera) const;
 
   InitializerChoice choice_;
   std::uint64_t seed_;
+  std::string preset_;
+  bool told_doubt_of_colours_ = false;
   tracker::KeyframeTracker tracker_;
   std::optional<tracker::KeyframeGraph> graph_;
   std::unique_ptr<tracker::BackgroundGraph> background_;

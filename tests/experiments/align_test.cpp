@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 double Distance(const SE3d& a, const SE3d& b) {
@@ -119,6 +120,35 @@ TEST_F(AlignCommand, PrintsMatrixTumLineAndStatus) {
   EXPECT_THAT(result.out, HasSubstr("\ncovariance of (omega, v), rad and m:\n"));
   EXPECT_THAT(result.out, HasSubstr("standard deviations "));
   EXPECT_THAT(result.out, HasSubstr("tracked, residual 0.0"));
+}
+
+// The colours of a camera of another focal length, beside depths that stay.
+void Zoom(const std::string& from, const std::string& to) {
+  const Image<Rgb8> whole = ReadRgb(from);
+  Image<Rgb8> zoomed(whole.width(), whole.height());
+  const int cx = whole.width() / 2, cy = whole.height() / 2;
+  for (int y = 0; y < whole.height(); ++y) {
+    for (int x = 0; x < whole.width(); ++x) {
+      zoomed(x, y) = whole(cx + (x - cx) * 9 / 10, cy + (y - cy) * 9 / 10);
+    }
+  }
+  WriteRgb(to, zoomed);
+}
+
+TEST_F(AlignCommand, TellsOfColoursThatAreNotRegistered) {
+  const std::string command = "align" + Ref(0) + " --cur " + Path(files_[1].first) + " " +
+                              Path(files_[1].second) + kCamera + " --preset fast";
+  EXPECT_GT(Pair(command)["edge_contrast"], 1.4);
+  EXPECT_THAT(RunSilt(command).out, Not(HasSubstr("colours do not lie on their depths")));
+  Zoom(Path(files_[0].first), Path("zoomed0.png"));
+  Zoom(Path(files_[1].first), Path("zoomed1.png"));
+  const std::string zoomed = "align --ref " + Path("zoomed0.png") + " " + Path(files_[0].second) +
+                             " --cur " + Path("zoomed1.png") + " " + Path(files_[1].second) +
+                             kCamera + " --preset ";
+  EXPECT_LT(Pair(zoomed + "fast")["edge_contrast"], 1.4);
+  EXPECT_THAT(RunSilt(zoomed + "fast").out, HasSubstr("colours do not lie on their depths"));
+  // Which has nothing but colours.
+  EXPECT_THAT(RunSilt(zoomed + "paper").out, Not(HasSubstr("colours do not lie")));
 }
 
 // The same pictures, said to be of a camera whose y axis points up: only the words for the pose
