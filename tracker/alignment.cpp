@@ -155,14 +155,19 @@ AlignmentJob JobOf(const Backend& backend, const ReferenceViews& references,
           JudgedLevel(references.front().pyramid),
           JudgedNorm(),
           {},
+          {},
           {}};
+}
+
+AlignmentStage StageOf(const Backend& backend, const OwnedPair& pair,
+                       const AlignmentOptions& options) {
+  const AlignmentJob alone = JobOf(backend, {{*pair.reference, {}}}, *pair.current, {}, options);
+  return {alone.plan, pair.images(), alone.exclude_hidden};
 }
 
 void AddStages(const Backend& backend, const CoarseStart& first, AlignmentJob* job) {
   for (const CoarseStart::Stage& stage : first.stages) {
-    const AlignmentJob alone =
-        JobOf(backend, {{*stage.pair.reference, {}}}, *stage.pair.current, {}, stage.options);
-    job->first.push_back({alone.plan, stage.pair.images(), alone.exclude_hidden});
+    job->first.push_back(StageOf(backend, stage.pair, stage.options));
   }
   job->compared.emplace(first.compared.images());
 }
@@ -188,7 +193,7 @@ AlignmentResult StepByStep(const Backend& backend, const AlignmentJob& job,
     if (options.affine_brightness && optimizer.took()) evaluation.TakeBrightness();
     if (options.keep_log && optimizer.steps() > steps) log.push_back(optimizer.last_step());
   }
-  AlignmentResult result = ResultOf(FinishedAlignment{optimizer, {}, {}, 0}, job, options);
+  AlignmentResult result = ResultOf(FinishedAlignment{optimizer, {}, {}, {}, 0}, job, options);
   result.times = evaluation.times;
   if (options.affine_brightness) result.brightness = evaluation.brightness_of_first();
   result.log = std::move(log);
@@ -212,9 +217,11 @@ std::optional<SE3d> EndOf(const Backend& backend, const CoarseStart& first, cons
 
 AlignmentResult Align(const Backend& backend, const ReferenceViews& references,
                       const CurrentPyramid& current, const SE3d& initial,
-                      const AlignmentOptions& options, const CoarseStart* first) {
+                      const AlignmentOptions& options, const CoarseStart* first,
+                      const Polish* last) {
   AlignmentJob job = JobOf(backend, references, current, initial, options);
   if (first) AddStages(backend, *first, &job);
+  if (last) job.last.emplace(StageOf(backend, last->pair, last->options));
   double milliseconds = 0;
   std::vector<FinishedAlignment> finished;
   {
@@ -234,6 +241,10 @@ AlignmentResult Align(const Backend& backend, const ReferenceViews& references,
   result.times.jacobian_ms = milliseconds;  // the whole of it: it is not known in parts
   result.batch_ms = finished.front().batch_ms;
   if (result.ok) result.judged = finished.front().judged;
+  if (result.ok && finished.front().last) {
+    result.polished = std::make_shared<const AlignmentResult>(ResultOf(
+        *finished.front().last, job.last->plan, last->pair.reference->levels(), last->options));
+  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,7 @@ struct AlignmentResult {
   // Of the residuals of judged_residuals.h, where the backend has found them on the way.
   std::optional<NormalEquations::Spread> judged;
   std::optional<SE3d> coarse;  // where it started from, if a CoarseStart has led there
+  std::shared_ptr<const AlignmentResult> polished;  // where it was asked for and has been run
   // By the clock of the device that ran it, with all that it was run with; 0: step by step.
   double batch_ms = 0;
 
@@ -57,14 +59,22 @@ struct CoarseStart {
   OwnedPair compared;  // by whose finest level the end must be more alike than the beginning
 };
 
+// The same pair once more, from where its alignment ends.
+struct Polish {
+  AlignmentOptions options;
+  OwnedPair pair;
+};
+
 // Algorithm 1: Levenberg-Marquardt from the coarsest level to the finest, over the pixels of all
 // references together. A left update of current_from_anchor is one of every current_from_reference
 // too, so that their equations add up. Fails, without an exception, where the images share too few
 // pixels or the equations have no finite solution. The result's pose is current_from_anchor. With
-// `first` it starts where that leads to from `initial`, if it leads anywhere.
+// `first` it starts where that leads to from `initial`, if it leads anywhere. A backend that runs
+// alignments runs `last` in one go with it; any other leaves that to the caller.
 AlignmentResult Align(const Backend& backend, const ReferenceViews& references,
                       const CurrentPyramid& current, const SE3d& initial,
-                      const AlignmentOptions& options, const CoarseStart* first = nullptr);
+                      const AlignmentOptions& options, const CoarseStart* first = nullptr,
+                      const Polish* last = nullptr);
 // With one reference, which is the anchor.
 AlignmentResult Align(const Backend& backend, const ImagePair& pair, const SE3d& initial,
                       const AlignmentOptions& options);

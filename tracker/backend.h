@@ -68,7 +68,7 @@ struct ReferenceView {
 
 using ReferenceViews = PooledVector<ReferenceView>;
 
-// A small alignment that helps to start another one.
+// An alignment that comes before another one, to start it, or after it, to refine it.
 struct AlignmentStage {
   AlignmentPlan plan;
   ImagePair images;
@@ -91,6 +91,8 @@ struct AlignmentJob {
   // finest level of `compared`, which is there where they are; else from `initial`.
   PooledVector<AlignmentStage> first;
   std::optional<ImagePair> compared;
+  // Comes last, from where the job has ended, unless that has failed.
+  std::optional<AlignmentStage> last;
 };
 
 using AlignmentJobs = PooledVector<AlignmentJob>;
@@ -99,6 +101,7 @@ struct FinishedAlignment {
   LevenbergMarquardt optimizer;    // wants nothing any more
   NormalEquations::Spread judged;  // of the intensity; zeros where it has failed
   std::optional<SE3d> coarse;      // the end of the stages that came first, if it started there
+  std::optional<LevenbergMarquardt> last;  // of the stage that came last, if one did
   // That all the jobs it was run with took together, by the clock of the device that ran them.
   double batch_ms = 0;
 };

@@ -72,7 +72,7 @@ TrackedFrame KeyframeTracker::TrackGiven(const Given& given,
     }
     if (NeedsNewKeyframe(result)) {
       RetireStale(result);
-      Polish(frame, &result);
+      PolishPose(frame, &result);
       MakeKeyframe(given, &result);
     }
     current_.reset();
@@ -104,8 +104,14 @@ void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, Tracked
     first = StartOf(keyframe.id, start, frame, result);
     if (!first) Initialize(keyframe.id, start, frame, result);
   }
+  // Where it is foretold that the frame will become a keyframe, it is polished in one go.
+  std::optional<Polish> last;
+  if (backend_->runs_alignments() &&
+      (NeedsKeyframe(keyframes_, expected, options_.keyframes) || ShowsWhatNoneKnows(expected))) {
+    last = PolishOf(keyframe.id, frame, result);
+  }
   Refine(nearest, *current_, result->initial.current_from_keyframe.value_or(start), result,
-         first ? &*first : nullptr);
+         first ? &*first : nullptr, last ? &*last : nullptr);
   if (first) result->initial.current_from_keyframe = result->alignment.coarse;
   if (result->status == TrackingStatus::kDoubtful) TryAgain(nearest, start, frame, result);
   if (result->status == TrackingStatus::kLost) {
@@ -245,7 +251,8 @@ std::unique_ptr<ReferencePyramid> KeyframeTracker::MakeReference(const Frame& fr
 }
 
 void KeyframeTracker::Refine(const KeyframeIds& nearest, const CurrentPyramid& current,
-                             const SE3d& initial, TrackedFrame* result, const CoarseStart* first) {
+                             const SE3d& initial, TrackedFrame* result, const CoarseStart* first,
+                             const Polish* last) {
   aligned_with_ = nearest;
   const SE3d anchor_from_world = keyframes_[nearest.front()].world_from_camera.Inverse();
   ReferenceViews views;
@@ -255,7 +262,7 @@ void KeyframeTracker::Refine(const KeyframeIds& nearest, const CurrentPyramid& c
                      reference.content.edge_contrast});
   }
   views.front().anchor_from_reference = {};  // exactly
-  result->alignment = Align(*backend_, views, current, initial, options_.alignment, first);
+  result->alignment = Align(*backend_, views, current, initial, options_.alignment, first, last);
   AddTimes(result->alignment.times, &result->times);
   result->status = TrackingStatus::kLost;
   if (!result->alignment.ok) {
@@ -275,7 +282,7 @@ bool KeyframeTracker::NeedsNewKeyframe(const TrackedFrame& result) const {
       result.status == TrackingStatus::kTracked ||
       (result.status == TrackingStatus::kDoubtful && !options_.keyframes.trusted_only);
   return trusted && (NeedsKeyframe(keyframes_, world_from_camera_, options_.keyframes) ||
-                     ShowsWhatNoneKnows() || HasGoneStale(result));
+                     ShowsWhatNoneKnows(world_from_camera_) || HasGoneStale(result));
 }
 
 bool KeyframeTracker::HasGoneStale(const TrackedFrame& result) const {
@@ -291,24 +298,35 @@ void KeyframeTracker::RetireStale(const TrackedFrame& result) {
   for (const int id : aligned_with_) references_[id].stale = true;
 }
 
-void KeyframeTracker::Polish(const Frame& frame, TrackedFrame* result) {
-  if (keyframes_.empty() || options_.keyframes.polish_iterations == 0) return;
-  // Which lets intensities count in full.
-  const ImageContent& content = references_[result->keyframe_id].content;
-  if (options_.alignment.DoubtsColours(content.edge_contrast)) return;
-  AlignmentOptions fine = options_.alignment;
-  fine.max_iterations = {options_.keyframes.polish_iterations};
-  fine.min_update_norm /= 10;
-  OwnedPair pair;
-  {
-    const Stopwatch watch(&result->times.pyramid_ms);
-    pair = FullResolution(result->keyframe_id, frame, fine);
+// Nothing where it is not to be: it lets intensities count in full.
+std::optional<Polish> KeyframeTracker::PolishOf(int keyframe, const Frame& frame,
+                                                TrackedFrame* result) const {
+  const ImageContent& content = references_[keyframe].content;
+  if (options_.keyframes.polish_iterations == 0 ||
+      options_.alignment.DoubtsColours(content.edge_contrast)) {
+    return std::nullopt;
   }
-  AlignmentResult polished =
-      Align(*backend_, pair.images(), result->alignment.current_from_reference, fine);
-  AddTimes(polished.times, &result->times);
-  if (!polished.ok) return;
-  result->alignment = std::move(polished);
+  const Stopwatch watch(&result->times.pyramid_ms);
+  Polish polish{options_.alignment, {}};
+  polish.options.max_iterations = {options_.keyframes.polish_iterations};
+  polish.options.min_update_norm /= 10;
+  polish.pair = FullResolution(keyframe, frame, polish.options);
+  return polish;
+}
+
+void KeyframeTracker::PolishPose(const Frame& frame, TrackedFrame* result) {
+  if (keyframes_.empty()) return;
+  std::shared_ptr<const AlignmentResult> polished = result->alignment.polished;
+  if (!polished) {
+    const std::optional<Polish> polish = PolishOf(result->keyframe_id, frame, result);
+    if (!polish) return;
+    polished = std::make_shared<const AlignmentResult>(
+        Align(*backend_, polish->pair.images(), result->alignment.current_from_reference,
+              polish->options));
+    AddTimes(polished->times, &result->times);
+  }
+  if (!polished->ok) return;
+  result->alignment = *polished;
   world_from_camera_ = PoseOf(result);
 }
 
@@ -328,12 +346,12 @@ OwnedPair KeyframeTracker::FullResolution(int keyframe, const Frame& frame,
 }
 
 // Of all the keyframes that the next frame could be aligned with, the camera sees too little.
-bool KeyframeTracker::ShowsWhatNoneKnows() const {
+bool KeyframeTracker::ShowsWhatNoneKnows(const SE3d& world_from_camera) const {
   if (options_.keyframes.min_overlap == 0) return false;
-  const KeyframeIds nearest = NearestKeyframes(keyframes_, world_from_camera_, options_.keyframes,
-                                               options_.keyframes.joint);
+  const KeyframeIds nearest =
+      NearestKeyframes(keyframes_, world_from_camera, options_.keyframes, options_.keyframes.joint);
   return std::none_of(nearest.begin(), nearest.end(), [&](int id) {
-    return Overlap(keyframes_[id], world_from_camera_) >= options_.keyframes.min_overlap;
+    return Overlap(keyframes_[id], world_from_camera) >= options_.keyframes.min_overlap;
   });
 }
 

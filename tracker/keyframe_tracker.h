@@ -110,7 +110,8 @@ class KeyframeTracker {
                                      TrackedFrame* result) const;
   // From `initial`, or where `first` leads to from there.
   void Refine(const KeyframeIds& nearest, const CurrentPyramid& current, const SE3d& initial,
-              TrackedFrame* result, const CoarseStart* first = nullptr);
+              TrackedFrame* result, const CoarseStart* first = nullptr,
+              const Polish* last = nullptr);
   void TryAgain(const KeyframeIds& nearest, const SE3d& expected, const Frame& frame,
                 TrackedFrame* result);
   void Relocalize(const Frame& frame, const CurrentPyramid& current, const SE3d& expected,
@@ -122,10 +123,11 @@ class KeyframeTracker {
   void Accept(TrackedFrame* result);
   SE3d PoseOf(TrackedFrame* result) const;
   bool NeedsNewKeyframe(const TrackedFrame& result) const;
-  bool ShowsWhatNoneKnows() const;
+  bool ShowsWhatNoneKnows(const SE3d& world_from_camera) const;
   bool HasGoneStale(const TrackedFrame& result) const;
   void RetireStale(const TrackedFrame& result);
-  void Polish(const Frame& frame, TrackedFrame* result);
+  void PolishPose(const Frame& frame, TrackedFrame* result);
+  std::optional<Polish> PolishOf(int keyframe, const Frame& frame, TrackedFrame* result) const;
   OwnedPair FullResolution(int keyframe, const Frame& frame, const AlignmentOptions& options) const;
   void MakeKeyframe(const Given& given, TrackedFrame* result);
 

@@ -22,6 +22,7 @@ struct AlignCourse {
     Optimizer optimizer;
     int start;          // the alignment under way
     int stage;          // of its stages, the one under way; as many as there are: past them
+    bool in_last;       // the stage that comes last is under way
     bool found_hidden;  // by the keyframe's own depth
     bool starts_coarsely;
     SE3d coarse;
@@ -32,6 +33,7 @@ struct AlignCourse {
   const AlignStart* starts;
   int count;          // of starts
   Outcome* outcomes;  // [count]
+  Outcome* last;      // [count], of the stages that come last; none need be there without them
 
   // From the round that is done, whose sums over pixels are `found` if it had any, to the next one.
   SILT_HOST_DEVICE void Advance(const GroupPlace& place, const tracker::NormalEquations& found,
@@ -94,6 +96,7 @@ struct AlignCourse {
     }
     const AlignStart& entered = starts[start];
     state.stage = 0;
+    state.in_last = false;
     state.starts_coarsely = false;
     state.coarse = entered.initial;
     return StartTask(entered.stages > 0 ? entered.first_stage : entered.task, entered.initial,
@@ -119,7 +122,10 @@ struct AlignCourse {
     for (bool busy = false; !busy;) {
       const AlignStart& start = starts[state.start];
       const bool ok = state.optimizer.failure() == tracker::AlignmentFailure::kNone;
-      if (state.stage < start.stages) {
+      if (state.in_last) {
+        last[state.start] = {state.optimizer, {}, false, {}};
+        busy = Enter(state.start + place.groups, round, state);
+      } else if (state.stage < start.stages) {
         busy = EndStage(ok, start, round, state);
       } else if (ok && tasks[round->task].judged_level >= 0) {
         const AlignTask& task = tasks[round->task];
@@ -127,9 +133,19 @@ struct AlignCourse {
                       task.judged_norm, round);
       } else {
         TellOutcome({}, state);
-        busy = Enter(state.start + place.groups, round, state);
+        busy = EndJob(place, round, state);
       }
     }
+  }
+
+  // Whether there is anything to do after a job whose outcome is told: its last stage, or the next
+  // job of the group.
+  SILT_HOST_DEVICE bool EndJob(const GroupPlace& place, Round* round, State& state) const {
+    const AlignStart& start = starts[state.start];
+    const bool ok = state.optimizer.failure() == tracker::AlignmentFailure::kNone;
+    if (start.last_stage < 0 || !ok) return Enter(state.start + place.groups, round, state);
+    state.in_last = true;
+    return StartTask(start.last_stage, state.optimizer.accepted_pose(), round, state);
   }
 
   SILT_HOST_DEVICE bool EndStage(bool ok, const AlignStart& start, Round* round,
@@ -216,7 +232,7 @@ struct AlignCourse {
                                const tracker::NormalEquations::Spread& judged, Round* round,
                                State& state) const {
     TellOutcome(judged, state);
-    Begin(state.start + place.groups, place, round, state);
+    if (!EndJob(place, round, state)) GoOn(place, round, state);
   }
 };
 

@@ -42,6 +42,7 @@ struct AlignStart {
   int task = 0;
   SE3d initial;
   int first_stage = 0, stages = 0;
+  int last_stage = -1;  // the task of AlignmentJob::last; −1: none
 };
 
 // What all blocks of a group do between two of its barriers.

@@ -24,6 +24,7 @@ class BlockAlignments {
   static bool CanRun(const tracker::AlignmentJob& job) {
     bool logs = job.plan.keep_log;
     for (const tracker::AlignmentStage& stage : job.first) logs = logs || stage.plan.keep_log;
+    if (job.last) logs = logs || job.last->plan.keep_log;
     return !logs;
   }
 
@@ -33,7 +34,7 @@ class BlockAlignments {
     std::map<std::pair<const void*, const void*>, int> of_pair;
     for (const tracker::AlignmentJob& job : jobs) {
       int task = int(tasks.size());
-      if (job.references.size() == 1 && job.first.empty()) {
+      if (job.references.size() == 1 && job.first.empty() && !job.last) {
         task = of_pair.emplace(std::pair(&job.references[0].pyramid, &job.current), task)
                    .first->second;
       }
@@ -41,6 +42,9 @@ class BlockAlignments {
       SILT_CHECK(tasks[std::size_t(task)].plan == job.plan);  // one for all jobs of a pair
       starts.push_back({task, job.initial, int(tasks.size()), int(job.first.size())});
       AddStages(job, &tasks);
+      if (!job.last) continue;
+      starts.back().last_stage = int(tasks.size());
+      tasks.push_back(TaskOf(*job.last));
     }
     return Run(std::move(tasks), starts);
   }
@@ -185,16 +189,23 @@ class BlockAlignments {
     double batch_ms = 0;
     for (std::size_t first = 0; first < starts.size(); first += of_launch) {
       const int count = int(std::min(of_launch, starts.size() - first));
-      for (const AlignCourse::Outcome& outcome :
-           Launch(shares, task_array, &starts[first], count, &batch_ms)) {
-        finished.push_back({outcome.optimizer, outcome.judged, {}, 0});
+      const std::vector<AlignCourse::Outcome> outcomes =
+          Launch(shares, task_array, &starts[first], count, &batch_ms);
+      for (int i = 0; i < count; ++i) {
+        const AlignCourse::Outcome& outcome = outcomes[std::size_t(i)];
+        finished.push_back({outcome.optimizer, outcome.judged, {}, {}, 0});
         if (outcome.starts_coarsely) finished.back().coarse = outcome.coarse;
+        const bool ok = outcome.optimizer.failure() == tracker::AlignmentFailure::kNone;
+        if (ok && starts[first + std::size_t(i)].last_stage >= 0) {
+          finished.back().last = outcomes[std::size_t(count + i)].optimizer;
+        }
       }
     }
     for (tracker::FinishedAlignment& each : finished) each.batch_ms = batch_ms;
     return finished;
   }
 
+  // Of all jobs, and behind them, if any of them has a last stage, of those.
   std::vector<AlignCourse::Outcome> Launch(const Shares& shares, const Array<AlignTask>& tasks,
                                            const AlignStart* starts, int count,
                                            double* batch_ms) const {
@@ -203,7 +214,9 @@ class BlockAlignments {
     const std::size_t n = std::size_t(groups), of_all = n * std::size_t(shares.references);
     Array<AlignStart> start_array(machine_, std::size_t(count));
     Array<Round> rounds(machine_, n);
-    Array<AlignCourse::Outcome> outcomes(machine_, std::size_t(count));
+    const bool any_last = std::any_of(
+        starts, starts + count, [](const AlignStart& start) { return start.last_stage >= 0; });
+    Array<AlignCourse::Outcome> outcomes(machine_, std::size_t(any_last ? 2 * count : count));
     Array<float> visible(machine_, of_all * size.visible);
     Array<float> nearest(machine_, of_all * size.cells);
     Array<float> spread(machine_, of_all * size.cells);
@@ -215,7 +228,8 @@ class BlockAlignments {
                           tile_sums.data()};
     typename Machine::Timer timer;
     machine_.RunGroups(groups, shares.BlocksOf(groups),
-                       AlignBody{{tasks.data(), start_array.data(), count, outcomes.data()},
+                       AlignBody{{tasks.data(), start_array.data(), count, outcomes.data(),
+                                  outcomes.data() + count},
                                  rounds.data(),
                                  scratch,
                                  size,

@@ -118,6 +118,38 @@ TEST_P(BlockAlignmentsOn, JudgeWhatTheCallerWould) {
   EXPECT_LT(on_the_way, 1);
 }
 
+// In one launch what two have found; nothing where the first fails; and its own failure where the
+// second does.
+TEST_P(BlockAlignmentsOn, AreFollowedByAPolish) {
+  const AlignmentOptions options = tracker::FastPreset().alignment;
+  const Pair pair = MakePair(*block_, options.Pyramids());
+  tracker::Polish polish{options, {}};
+  polish.options.max_iterations = {3};
+  polish.pair = block_->MakeHalved(pair.images(), 0, true, polish.options.Pyramids());
+  const tracker::ReferenceViews views{{*pair.reference, {}}};
+  const auto align = [&](const SE3d& initial, const tracker::Polish* last) {
+    return tracker::Align(*block_, views, *pair.current, initial, options, nullptr, last);
+  };
+  const AlignmentResult both = align({}, &polish), alone = align({}, nullptr);
+  ExpectSame(both, alone);
+  EXPECT_EQ(both.judged, alone.judged);
+  EXPECT_FALSE(alone.polished);
+  ASSERT_TRUE(both.polished);
+  ExpectSame(*both.polished, tracker::Align(*block_, polish.pair.images(),
+                                            alone.current_from_reference, polish.options));
+  EXPECT_FALSE(SamePose(both.polished->current_from_reference, both.current_from_reference));
+  const AlignmentResult lost = align(SE3d::Exp({{0, 2, 0}, {0, 0, 0}}), &polish);
+  EXPECT_FALSE(lost.ok);
+  EXPECT_FALSE(lost.polished);
+  polish.options.min_overlap = 1;
+  const AlignmentResult failing = align({}, &polish);
+  EXPECT_TRUE(failing.ok);
+  ASSERT_TRUE(failing.polished);
+  EXPECT_FALSE(failing.polished->ok);
+  polish.options.keep_log = true;  // for which it would have to go step by step
+  EXPECT_FALSE(align({}, &polish).polished);
+}
+
 TEST_P(BlockAlignmentsOn, FailAsTheyWouldStepByStep) {
   const AlignmentOptions options = tracker::AccuratePreset().alignment;
   const Pair pair = MakePair(*block_, options.Pyramids());
