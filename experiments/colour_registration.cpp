@@ -9,7 +9,8 @@ namespace silt::experiments {
 
 std::string DoubtOfColours(const std::string& preset, double edge_contrast) {
   const tracker::AlignmentOptions options = PresetOptions(preset).alignment;
-  if (!options.DoubtsColours(edge_contrast)) return "";
+  // Where all are doubted whatever their edges tell, that has been asked for.
+  if (options.registered_contrast == 0 || !options.DoubtsColours(edge_contrast)) return "";
   return Formatted(
       "colours do not lie on their depths, as edges of both tell (contrast %.2f, and %.2f or more "
       "where they do): depths count where both contradict each other",

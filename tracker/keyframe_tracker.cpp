@@ -113,7 +113,7 @@ void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, Tracked
   Refine(nearest, *current_, result->initial.current_from_keyframe.value_or(start), result,
          first ? &*first : nullptr, last ? &*last : nullptr);
   if (first) result->initial.current_from_keyframe = result->alignment.coarse;
-  if (result->status == TrackingStatus::kDoubtful) TryAgain(nearest, start, frame, result);
+  if (result->status != TrackingStatus::kLost) TryAgain(nearest, start, frame, result);
   if (result->status == TrackingStatus::kLost) {
     velocity_.reset();
     Relocalize(frame, *current_, expected, result);

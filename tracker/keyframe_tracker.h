@@ -114,6 +114,7 @@ class KeyframeTracker {
               const Polish* last = nullptr);
   void TryAgain(const KeyframeIds& nearest, const SE3d& expected, const Frame& frame,
                 TrackedFrame* result);
+  bool StartFromTurn(int keyframe, const SE3d& expected, const Frame& frame, TrackedFrame* result);
   void Relocalize(const Frame& frame, const CurrentPyramid& current, const SE3d& expected,
                   TrackedFrame* result);
   std::vector<Candidate> Candidates(int nearest, const Frame& frame, const SE3d& expected);

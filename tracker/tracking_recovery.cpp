@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <vector>
 
+#include "silt/tracker/coarse_initializer.h"
 #include "silt/tracker/keyframe_tracker.h"
 #include "silt/tracker/relocalization.h"
+#include "silt/tracker/stopwatch.h"
 #include "silt/tracker/trust.h"
 
 // What a KeyframeTracker does with a frame that its motion and its nearest keyframes do not
@@ -26,16 +28,30 @@ void RestoreButTimes(const TrackedFrame& before, TrackedFrame* result) {
 }  // namespace
 
 // A doubtful frame whose images do not agree well, from where the initializer says, which has not
-// been asked yet; of both poses the one that leaves less doubt is kept.
+// been asked yet; and one that is half as bad, which may be at the wrong one of two minima for want
+// of a better start, from where the camera's turn alone leads to, in little time. Of both poses the
+// one that leaves less doubt is kept.
 void KeyframeTracker::TryAgain(const KeyframeIds& nearest, const SE3d& expected, const Frame& frame,
                                TrackedFrame* result) {
-  if (options_.always_initialize || Disagreement(result->evidence, options_.trust) <= 1) return;
+  constexpr double half_as_bad = 0.5;
+  const double disagreement = Disagreement(result->evidence, options_.trust);
+  if (options_.always_initialize || disagreement <= half_as_bad) return;
   const TrackedFrame before = *result;
-  if (Initialize(nearest.front(), expected, frame, result)) {
+  if (disagreement > 1 ? Initialize(nearest.front(), expected, frame, result)
+                       : StartFromTurn(nearest.front(), expected, frame, result)) {
     Refine(nearest, *current_, *result->initial.current_from_keyframe, result);
     if (LeavesLessDoubt(*result, before, options_.trust)) return;
   }
   RestoreButTimes(before, result);
+}
+
+bool KeyframeTracker::StartFromTurn(int keyframe, const SE3d& expected, const Frame& frame,
+                                    TrackedFrame* result) {
+  CoarseInitializer turn(backend_, TurnAlone());
+  if (turn.needs_intensities(*backend_)) MakeIntensities(keyframe, frame, result);
+  const Stopwatch watch(&result->times.initial_estimate_ms);
+  result->initial = turn.Estimate(InputOf(keyframe, expected, frame));
+  return result->initial.current_from_keyframe.has_value();
 }
 
 // Tries one keyframe after the other, from where the features say or from where it may be; the

@@ -112,6 +112,44 @@ TEST_P(OwnPreset, ADoubtfulFrameIsTriedAgainFromTheInitializersStart) {
   EXPECT_EQ(tracked.initial.inliers, 40);
 }
 
+// What is made of a frame that is expected to look elsewhere, where what is left of the residuals
+// is so much of what makes a pose doubtful.
+TrackedFrame TurnedFrame(TrackerOptions options, double share, int* calls) {
+  options.alignment.max_iterations = {1};
+  options.trust = {};
+  options.trust.max_unexplained_variance = options.trust.max_depth_disagreement = 1e6;
+  options.trust.doubtful_depth_disagreement = options.trust.doubtful_uncertainty_rad = 1e6;
+  options.trust.doubtful_inlier_ratio = options.trust.doubtful_overlap = 0;
+  const auto track = [&](double doubtful) {
+    auto initializer = std::make_unique<FrameInitializer>();
+    initializer->calls = calls;
+    options.trust.doubtful_unexplained_variance = doubtful;
+    KeyframeTracker tracker = MakeTracker(std::move(initializer), options);
+    tracker.Track(RoomFrame(TruePose(0), 0));
+    return tracker.Track(RoomFrame(TruePose(2), 0.1),
+                         TruePose(2) * SE3d::Exp({{0, 0.1, 0}, {0, 0, 0}}));
+  };
+  return track(track(1e6).evidence.unexplained_variance / share);
+}
+
+// Without a call of the initializer, which takes its time.
+TEST_P(OwnPreset, WhatIsHalfDoubtfulIsTriedAgainFromTheTurnAlone) {
+  int calls = 0;
+  const auto error = [](const TrackedFrame& tracked) {
+    EXPECT_EQ(tracked.status, TrackingStatus::kTracked) << tracked.message;
+    return Angle(tracked.world_from_camera, TruePose(2));
+  };
+  const TrackedFrame as_it_is = TurnedFrame(Preset(), 0.45, &calls);
+  const TrackedFrame again = TurnedFrame(Preset(), 0.55, &calls);
+  EXPECT_EQ(calls, 0);
+  EXPECT_FALSE(as_it_is.initial.current_from_keyframe);
+  EXPECT_TRUE(again.initial.current_from_keyframe);
+  EXPECT_LT(again.evidence.unexplained_variance, 0.2 * as_it_is.evidence.unexplained_variance);
+  EXPECT_LT(error(again), 0.3 * error(as_it_is));
+  TurnedFrame(Preset(), 1.1, &calls);
+  EXPECT_EQ(calls, 1);
+}
+
 // A start that leads to more doubt, or nowhere, changes nothing; every start counts for a tracker
 // that takes it from the initializer anyway.
 TEST_P(OwnPreset, TheLesserDoubtIsKept) {
