@@ -28,14 +28,15 @@ void RestoreButTimes(const TrackedFrame& before, TrackedFrame* result) {
 }  // namespace
 
 // A doubtful frame whose images do not agree well, from where the initializer says, which has not
-// been asked yet; and one that is half as bad, which may be at the wrong one of two minima for want
-// of a better start, from where the camera's turn alone leads to, in little time. Of both poses the
-// one that leaves less doubt is kept.
+// been asked yet; and one that comes near that, which may be in the wrong one of two minima for
+// want of a better start, from where the camera's turn alone leads to, in little time. Of both
+// poses the one that leaves less doubt is kept.
 void KeyframeTracker::TryAgain(const KeyframeIds& nearest, const SE3d& expected, const Frame& frame,
                                TrackedFrame* result) {
-  constexpr double half_as_bad = 0.5;
+  // Images that are aligned leave a tenth of what makes them doubtful, and sensors up to a third.
+  constexpr double near = 0.3;
   const double disagreement = Disagreement(result->evidence, options_.trust);
-  if (options_.always_initialize || disagreement <= half_as_bad) return;
+  if (options_.always_initialize || disagreement <= near) return;
   const TrackedFrame before = *result;
   if (disagreement > 1 ? Initialize(nearest.front(), expected, frame, result)
                        : StartFromTurn(nearest.front(), expected, frame, result)) {
