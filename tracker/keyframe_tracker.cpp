@@ -102,7 +102,7 @@ void KeyframeTracker::Localize(const Frame& frame, const SE3d& expected, Tracked
   std::optional<CoarseStart> first;
   if (options_.always_initialize) {
     first = StartOf(keyframe.id, start, frame, result);
-    if (!first) Initialize(keyframe.id, start, frame, result);
+    if (!first) Initialize(initializer_.get(), keyframe.id, start, frame, result);
   }
   // Where it is foretold that the frame will become a keyframe, it is polished in one go.
   std::optional<Polish> last;
@@ -199,12 +199,12 @@ void KeyframeTracker::MoveKeyframes(const std::vector<SE3d>& world_from_keyframe
   if (!moves.empty()) world_from_camera_ = moves[tracked_from_] * world_from_camera_;
 }
 
-bool KeyframeTracker::Initialize(int keyframe, const SE3d& expected, const Frame& frame,
-                                 TrackedFrame* result) {
-  if (!initializer_) return false;
-  if (initializer_->needs_intensities(*backend_)) MakeIntensities(keyframe, frame, result);
+bool KeyframeTracker::Initialize(Initializer* initializer, int keyframe, const SE3d& expected,
+                                 const Frame& frame, TrackedFrame* result) {
+  if (!initializer) return false;
+  if (initializer->needs_intensities(*backend_)) MakeIntensities(keyframe, frame, result);
   const Stopwatch watch(&result->times.initial_estimate_ms);
-  result->initial = initializer_->Estimate(InputOf(keyframe, expected, frame));
+  result->initial = initializer->Estimate(InputOf(keyframe, expected, frame));
   return result->initial.current_from_keyframe.has_value();
 }
 

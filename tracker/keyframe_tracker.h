@@ -100,7 +100,9 @@ class KeyframeTracker {
   void CheckFrame(const Frame& frame) const;
   void Localize(const Frame& frame, const SE3d& expected, TrackedFrame* result);
   SE3d Predicted(double time_s) const;
-  bool Initialize(int keyframe, const SE3d& expected, const Frame& frame, TrackedFrame* result);
+  // Whether it finds a start, which a null one does not.
+  bool Initialize(Initializer* initializer, int keyframe, const SE3d& expected, const Frame& frame,
+                  TrackedFrame* result);
   void MakeIntensities(int keyframe, const Frame& frame, TrackedFrame* result);
   std::unique_ptr<const CurrentPyramid> MakeCurrent(const Frame& frame, TrackedFrame* result) const;
   std::unique_ptr<ReferencePyramid> MakeReference(const Frame& frame) const;
@@ -114,7 +116,6 @@ class KeyframeTracker {
               const Polish* last = nullptr);
   void TryAgain(const KeyframeIds& nearest, const SE3d& expected, const Frame& frame,
                 TrackedFrame* result);
-  bool StartFromTurn(int keyframe, const SE3d& expected, const Frame& frame, TrackedFrame* result);
   void Relocalize(const Frame& frame, const CurrentPyramid& current, const SE3d& expected,
                   TrackedFrame* result);
   std::vector<Candidate> Candidates(int nearest, const Frame& frame, const SE3d& expected);

@@ -5,7 +5,6 @@
 #include "silt/tracker/coarse_initializer.h"
 #include "silt/tracker/keyframe_tracker.h"
 #include "silt/tracker/relocalization.h"
-#include "silt/tracker/stopwatch.h"
 #include "silt/tracker/trust.h"
 
 // What a KeyframeTracker does with a frame that its motion and its nearest keyframes do not
@@ -38,21 +37,13 @@ void KeyframeTracker::TryAgain(const KeyframeIds& nearest, const SE3d& expected,
   const double disagreement = Disagreement(result->evidence, options_.trust);
   if (options_.always_initialize || disagreement <= near) return;
   const TrackedFrame before = *result;
-  if (disagreement > 1 ? Initialize(nearest.front(), expected, frame, result)
-                       : StartFromTurn(nearest.front(), expected, frame, result)) {
+  CoarseInitializer turn(backend_, TurnAlone());
+  if (Initialize(disagreement > 1 ? initializer_.get() : &turn, nearest.front(), expected, frame,
+                 result)) {
     Refine(nearest, *current_, *result->initial.current_from_keyframe, result);
     if (LeavesLessDoubt(*result, before, options_.trust)) return;
   }
   RestoreButTimes(before, result);
-}
-
-bool KeyframeTracker::StartFromTurn(int keyframe, const SE3d& expected, const Frame& frame,
-                                    TrackedFrame* result) {
-  CoarseInitializer turn(backend_, TurnAlone());
-  if (turn.needs_intensities(*backend_)) MakeIntensities(keyframe, frame, result);
-  const Stopwatch watch(&result->times.initial_estimate_ms);
-  result->initial = turn.Estimate(InputOf(keyframe, expected, frame));
-  return result->initial.current_from_keyframe.has_value();
 }
 
 // Tries one keyframe after the other, from where the features say or from where it may be; the
@@ -63,7 +54,7 @@ void KeyframeTracker::Relocalize(const Frame& frame, const CurrentPyramid& curre
   for (const Candidate& candidate : Candidates(before.keyframe_id, frame, expected)) {
     const Keyframe& keyframe = keyframes_[candidate.id];
     result->keyframe_id = candidate.id;
-    Initialize(candidate.id, candidate.current_from_keyframe, frame, result);
+    Initialize(initializer_.get(), candidate.id, candidate.current_from_keyframe, frame, result);
     const SE3d start =
         result->initial.current_from_keyframe.value_or(candidate.current_from_keyframe);
     const SE3d world_from_start = keyframe.world_from_camera * start.Inverse();
